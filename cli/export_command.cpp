@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "exporters/blender.h"
+#include "exporters/pov.h"
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "validate/blender_run.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportFlags {
+  std::string scene = "figure2", output;
+  Programs programs;
+  Output out;
+};
+
+Shot final_shot(const Scene& scene) { return {"final", Stage::kFinal, scene.view.material}; }
+
+fs::path folder_of(const fs::path& output) {
+  return output.has_parent_path() ? output.parent_path() : fs::path(".");
+}
+
+std::vector<std::string> write(const ExportFlags& flags, const Package& package) {
+  write_package(folder_of(flags.output), package, "--output");
+  std::vector<std::string> names;
+  for (const PackedFile& file : package) names.push_back(file.name);
+  return names;
+}
+
+std::vector<std::string> export_pov(const Scene& scene, const ExportFlags& flags) {
+  if (const auto shortfall = pov_shortfall(final_shot(scene)); shortfall && !flags.out.quiet) {
+    fmt::print(stderr, "lumaknot: note: {}; the scene draws without\n", *shortfall);
+  }
+  return write(flags, pov_package(scene, fs::path(flags.output).stem().string()));
+}
+
+std::vector<std::string> export_python(const Scene& scene, const ExportFlags& flags) {
+  const Shot shot = final_shot(scene);
+  return write(flags, blender_package(scene, {&shot, 1}, fs::path(flags.output).stem().string()));
+}
+
+/// A .blend file holds all that it needs; Blender itself makes it.
+std::vector<std::string> export_blend(const Scene& scene, const ExportFlags& flags) {
+  save_blend(scene, final_shot(scene), flags.output, flags.programs, "--output");
+  return {fs::path(flags.output).filename().string()};
+}
+
+struct Format {
+  std::string_view extension;
+  std::vector<std::string> (*write)(const Scene&, const ExportFlags&);
+};
+constexpr Format kFormats[] = {{".pov", export_pov}, {".py", export_python}, {".blend", export_blend}};
+
+const Format& format_of(const std::string& output) {
+  for (const Format& format : kFormats) {
+    if (fs::path(output).extension() == format.extension) return format;
+  }
+  throw Error(fmt::format("--output {} must end in .pov, .py or .blend", output));
+}
+
+void run(const ExportFlags& flags) {
+  const Format& format = format_of(flags.output);
+  check_package_name(flags.output, "--output");
+  const Scene scene = load_scene(read_scene(flags.scene));
+  const std::vector<std::string> files = format.write(scene, flags);
+  if (flags.out.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));
+  for (const std::string& file : files) flags.out.say((folder_of(flags.output) / file).string());
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& program) {
+  auto flags = std::make_shared<ExportFlags>();
+  CLI::App* command = program.add_subcommand("export", "Write a scene for POV-Ray or Blender");
+  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
+      ->capture_default_str();
+  command->add_option("-o,--output", flags->output, "a .pov, .py (Blender script) or .blend file")
+      ->required();
+  add_program_flags(*command, flags->programs);
+  add_output_flags(*command, flags->out);
+  command->footer("Examples:\n"
+                  "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
+                  "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
+                  "  lumaknot export figure2 -o knot.blend      needs Blender");
+  command->callback([flags] {
+    const InterruptGuard guard;
+    run(*flags);
+  });
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,68 @@
+#include "cli/scene_input.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <iterator>
+
+#include "exporters/image_file.h"
+#include "exporters/mesh_file.h"
+#include "meshgen/knot_mesh.h"
+#include "scene/atomic_file.h"
+#include "scene/bricks.h"
+#include "scene/error.h"
+#include "scene/presets.h"
+#include "scene/scene_json.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One function a type, for std::visit.
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+
+TriangleMesh load_mesh(const SceneInput& input) {
+  const bool needs_uvs = !std::holds_alternative<PlainColor>(input.spec.texture);
+  return std::visit(
+      Overloaded{[](const KnotSpec& knot) { return flat_mesh(knot_mesh(knot)); },
+                 [&](const MeshFile& file) {
+                   return read_mesh(input.folder / file.path, needs_uvs, "mesh.file");
+                 }},
+      input.spec.mesh);
+}
+
+Texture load_texture(const SceneInput& input) {
+  return std::visit(
+      Overloaded{[](const Bricks&) -> Texture { return bricks(); },
+                 [](const PlainColor& color) -> Texture { return color.rgb; },
+                 [&](const TextureFile& file) -> Texture {
+                   return read_texture(input.folder / file.path, "texture.file");
+                 }},
+      input.spec.texture);
+}
+
+}  // namespace
+
+SceneInput read_scene(const std::string& source) {
+  if (source == "-") {
+    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+    return {scene_from_json(text, "standard input"), "."};
+  }
+  std::error_code ignored;
+  if (!fs::exists(source, ignored)) {
+    if (const auto builtin = builtin_scene(source)) return {*builtin, "."};
+    throw Error(fmt::format(
+        "scene {} is neither a file nor built in; `lumaknot scene --list` names those", source));
+  }
+  return {scene_from_json(read_file(source, "scene"), source), fs::path(source).parent_path()};
+}
+
+Scene load_scene(const SceneInput& input) {
+  return {load_mesh(input), load_texture(input), input.spec.view};
+}
+
+}  // namespace lumaknot

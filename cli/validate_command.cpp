@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "scene/atomic_file.h"
+#include "scene/check.h"
+#include "scene/error.h"
+#include "scene/presets.h"
+#include "validate/process.h"
+#include "validate/report.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long long kMostSamples = 1LL << 24;  // of which each takes about 600 bytes
+
+struct ValidateFlags {
+  std::string scene = "figure2", output = "report";
+  std::vector<std::string> models, renderers;
+  Programs programs;
+  double time_limit = 300;
+  Output out;
+};
+
+/// The materials to draw: those named, else the scene's own beside the paper's three.
+std::vector<Shot> finals(const Material& own, const std::vector<std::string>& models) {
+  std::vector<Shot> shots;
+  if (models.empty()) {
+    if (formula_name(own) == "custom") shots.push_back({"scene", Stage::kFinal, own});
+    for (const NamedMaterial& m : named_materials()) {
+      shots.push_back({std::string(m.name), Stage::kFinal, *with_formula(own, m.name)});
+    }
+  }
+  for (const std::string& name : models) {
+    shots.push_back({name, Stage::kFinal, name == "scene" ? own : *with_formula(own, name)});
+  }
+  return shots;
+}
+
+std::string repeat_command(const ValidateFlags& flags) {
+  std::string command = "lumaknot validate " + flags.scene;
+  for (const std::string& model : flags.models) command += " --model " + model;
+  for (const std::string& renderer : flags.renderers) command += " --renderer " + renderer;
+  return command + " -o " + flags.output;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw Error(fmt::format("--output {} can't be made a folder: {}; choose another place",
+                            folder.string(), error.message()));
+  }
+  const AtomicFile writable(folder / "report.html", "--output");
+}
+
+/// A line on what a renderer's pictures came to.
+std::string summary(const Judgement& judgement) {
+  std::vector<std::string> parts;
+  for (const Judged& shot : judgement.shots) {
+    std::string part(outcome(shot));
+    if (!shot.drawn.why.empty()) part += ": " + shot.drawn.why;
+    if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
+  }
+  return fmt::format("{:<8} {}", judgement.rendering.renderer, fmt::join(parts, ", "));
+}
+
+int exit_code_of(Verdict verdict) {
+  if (verdict == Verdict::kAgreed) return kExitAgreed;
+  return verdict == Verdict::kDiffered ? kExitDiffered : kExitNothingToCompare;
+}
+
+int run(ValidateFlags flags) {
+  const SceneInput input = read_scene(flags.scene);
+  check_samples(input.spec.view.image, kMostSamples);
+  ValidationJob job{sample_by_sample(load_scene(input)),
+                    finals(input.spec.view.material, flags.models), flags.renderers,
+                    flags.programs};
+  check_number("--time-limit", flags.time_limit, kPositive);
+  job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
+  make_folder(flags.output);
+  const bool tells = isatty(STDERR_FILENO) && !flags.out.quiet;
+  const Validation validation = validate(job, [&](const std::string& line) {
+    if (tells) fmt::print(stderr, "{}\n", line);
+  });
+  const ReportHead head{flags.scene, repeat_command(flags)};
+  const std::string json = report_json(validation, head);
+  write_file(fs::path(flags.output) / "report.json", json, "--output");
+  write_file(fs::path(flags.output) / "report.html", report_html(validation, head), "--output");
+  if (flags.out.json) fmt::print("{}", json);
+  for (const Judgement& judgement : validation.judgements) flags.out.say(summary(judgement));
+  flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
+                            verdict_name(validation.verdict), validation.seconds,
+                            (fs::path(flags.output) / "report.html").string()));
+  return exit_code_of(validation.verdict);
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names{"scene"};
+  for (const NamedMaterial& m : named_materials()) names.emplace_back(m.name);
+  return names;
+}
+
+}  // namespace
+
+void add_program_flags(CLI::App& command, Programs& programs) {
+  command.add_option("--povray", programs.povray, "POV-Ray's program")->capture_default_str();
+  command.add_option("--blender", programs.blender, "Blender's program")->capture_default_str();
+  command.add_option("--xvfb", programs.xvfb, "the X server that Eevee draws on")
+      ->capture_default_str();
+}
+
+void add_validate_command(CLI::App& program, int& exit_code) {
+  auto flags = std::make_shared<ValidateFlags>();
+  CLI::App* command = program.add_subcommand(
+      "validate", "Draw a scene with every renderer and prove or disprove that they agree");
+  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
+      ->capture_default_str();
+  command->add_option("-o,--output", flags->output, "the folder for report.html and report.json")
+      ->capture_default_str();
+  command->add_option("--model", flags->models, "a material to draw; may be repeated; all unless given")
+      ->check(CLI::IsMember(model_names()));
+  command->add_option("--renderer", flags->renderers, "a renderer to run; may be repeated; all unless given")
+      ->check(CLI::IsMember(renderer_names()));
+  command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
+      ->capture_default_str();
+  add_program_flags(*command, flags->programs);
+  add_output_flags(*command, flags->out);
+  command->footer("Exit code: 0 agreed, 1 differed, 2 wrong use or input, 3 nothing to compare with.\n"
+                  "Examples:\n"
+                  "  lumaknot validate -o report/\n"
+                  "  lumaknot validate scene.json --model scene --renderer povray -o report/\n"
+                  "  lumaknot validate figure1-back --blender /opt/blender-4.2/blender -o report/");
+  command->callback([flags, &exit_code] {
+    const InterruptGuard guard;
+    exit_code = run(*flags);
+  });
+}
+
+}  // namespace lumaknot

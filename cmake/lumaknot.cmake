@@ -1,0 +1,36 @@
+# What every target of lumaknot shares.
+add_library(lumaknot_options INTERFACE)
+target_include_directories(lumaknot_options INTERFACE ${PROJECT_SOURCE_DIR})
+# One rounding a written operation: the same bytes whatever the compiler contracts.
+target_compile_options(lumaknot_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+                                                  -Wconversion -Wno-sign-conversion -ffp-contract=off)
+if(LUMAKNOT_WARNINGS_AS_ERRORS)
+  target_compile_options(lumaknot_options INTERFACE -Werror)
+endif()
+if(LUMAKNOT_SANITIZE)
+  target_compile_options(lumaknot_options INTERFACE -fsanitize=address,undefined
+                                                    -fno-sanitize-recover=all)
+  target_link_options(lumaknot_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# lumaknot_library(NAME PUBLIC libs... PRIVATE libs...): the folder NAME as lumaknot::NAME.
+function(lumaknot_library name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+  add_library(lumaknot_${name} STATIC ${sources})
+  add_library(lumaknot::${name} ALIAS lumaknot_${name})
+  target_link_libraries(lumaknot_${name} PUBLIC lumaknot_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# lumaknot_embed(target file symbol): the text of `file` as lumaknot::embedded::symbol().
+function(lumaknot_embed target file symbol)
+  set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/embedded_${symbol}.cpp)
+  add_custom_command(
+    OUTPUT ${generated}
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${source} -DOUTPUT=${generated} -DSYMBOL=${symbol} -P
+            ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${source} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    VERBATIM)
+  target_sources(${target} PRIVATE ${generated})
+endfunction()

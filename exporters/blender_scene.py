@@ -1,0 +1,393 @@
+"""Builds the exported scene in Blender and optionally renders or saves it.
+
+    blender -b --factory-startup --python knot.py -- --render final=final.exr
+
+Run without arguments it only builds the scene. It replaces what is in the open
+file. PARAMETERS, defined above, describes the scene; the arrays and the texture
+lie beside this script.
+"""
+
+import argparse
+import array
+import math
+import os
+import sys
+
+import bpy
+from mathutils import Matrix, Vector
+
+NORMAL_ATTRIBUTE = "lumaknot_normal"
+COLUMN_WIDTH = 200
+ROW_HEIGHT = 190
+
+
+def beside_script(name):
+    """Path of a file next to this script, also when run from the text editor."""
+    text = bpy.data.texts.get(os.path.basename(__file__))
+    script = bpy.path.abspath(text.filepath) if text and text.filepath else __file__
+    return os.path.join(os.path.dirname(os.path.abspath(script)), name)
+
+
+def read_array(stream, typecode, count):
+    """Reads `count` little-endian 4-byte values. (Blender may come without numpy.)"""
+    values = array.array(typecode)
+    values.frombytes(stream.read(4 * count))
+    if len(values) != count:
+        raise ValueError(f"{stream.name} is too short")
+    if sys.byteorder == "big":
+        values.byteswap()
+    return values
+
+
+def read_mesh_arrays(spec):
+    """Returns positions, normals, uvs and indices as flat arrays."""
+    vertices, triangles = spec["vertices"], spec["triangles"]
+    with open(beside_script(spec["file"]), "rb") as stream:
+        positions = read_array(stream, "f", 3 * vertices)
+        normals = read_array(stream, "f", 3 * vertices)
+        uvs = read_array(stream, "f", 2 * vertices)
+        indices = read_array(stream, "i", 3 * triangles)
+        if stream.read(1):
+            raise ValueError(f"{stream.name} is too long")
+    if indices and not (0 <= min(indices) and max(indices) < vertices):
+        raise ValueError(f"{stream.name} has an index out of range")
+    return positions, normals, uvs, indices
+
+
+def add_triangles(mesh, positions, indices):
+    """Fills an empty mesh with vertices and smooth triangles."""
+    mesh.vertices.add(len(positions) // 3)
+    mesh.vertices.foreach_set("co", positions)
+    mesh.loops.add(len(indices))
+    mesh.loops.foreach_set("vertex_index", indices)
+    count = len(indices) // 3
+    mesh.polygons.add(count)
+    mesh.polygons.foreach_set("loop_start", range(0, len(indices), 3))
+    if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
+        mesh.polygons.foreach_set("loop_total", [3] * count)
+    mesh.polygons.foreach_set("use_smooth", [True] * count)
+    mesh.update(calc_edges=True)
+
+
+def add_uvs(mesh, uvs, indices):
+    """Blender keeps texture coordinates per triangle corner."""
+    corners = array.array("f")
+    for index in indices:
+        corners.extend(uvs[2 * index:2 * index + 2])
+    mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", corners)
+
+
+def add_normals(mesh, normals):
+    """Stores the normals twice: exactly for our shots, and for other materials.
+
+    Blender's own custom normals have 16 bits and reach a shader renormalised and
+    turned to the viewer, so the shots read a plain attribute instead.
+    """
+    attribute = mesh.attributes.new(NORMAL_ATTRIBUTE, "FLOAT_VECTOR", "POINT")
+    attribute.data.foreach_set("vector", normals)
+    if bpy.app.version < (4, 1):
+        mesh.use_auto_smooth = True
+    mesh.normals_split_custom_set_from_vertices(list(zip(*[iter(normals)] * 3)))
+
+
+def add_mesh_object(spec):
+    """Creates the knot, with one empty material slot."""
+    positions, normals, uvs, indices = read_mesh_arrays(spec)
+    mesh = bpy.data.meshes.new("knot")
+    add_triangles(mesh, positions, indices)
+    add_uvs(mesh, uvs, indices)
+    add_normals(mesh, normals)
+    mesh.materials.append(None)
+    knot = bpy.data.objects.new("knot", mesh)
+    bpy.context.scene.collection.objects.link(knot)
+    return knot
+
+
+def depth_range(spec, mesh):
+    """Clip distances that just hold the mesh: a depth buffer is finest that way."""
+    position, back = Vector(spec["position"]), Vector(spec["back"])
+    depths = [(position - vertex.co).dot(back) for vertex in mesh.vertices]
+    near = max(spec["near_depth"], min(depths) * 0.99)
+    return near, max(max(depths) * 1.01, near * 2)
+
+
+def add_camera(spec, mesh):
+    """Places the camera; its columns are right, up and back."""
+    data = bpy.data.cameras.new("camera")
+    data.sensor_fit = "VERTICAL"
+    data.angle_y = math.radians(spec["fov_y_degrees"])
+    data.clip_start, data.clip_end = depth_range(spec, mesh)
+    camera = bpy.data.objects.new("camera", data)
+    columns = [spec["right"], spec["up"], spec["back"], spec["position"]]
+    camera.matrix_world = Matrix([list(row) for row in zip(*columns)]).to_4x4()
+    bpy.context.scene.collection.objects.link(camera)
+    bpy.context.scene.camera = camera
+
+
+def load_image(spec):
+    """Loads the texture as plain numbers; None when it is a constant colour."""
+    if "file" not in spec:
+        return None
+    image = bpy.data.images.load(beside_script(spec["file"]))
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "NONE"
+    image.use_half_precision = False
+    if not all(image.size):
+        raise ValueError(f"{image.filepath} is not an image")
+    return image
+
+
+def socket(sockets, identifier):
+    """Finds a node's socket by its identifier."""
+    return next(item for item in sockets if item.identifier == identifier)
+
+
+def add_node(tree, kind, inputs, operation=None):
+    """Adds a node; an input is an output socket to link or a default value."""
+    node = tree.nodes.new(kind)
+    if operation:
+        node.operation = operation
+    for identifier, value in inputs.items():
+        target = socket(node.inputs, identifier)
+        if isinstance(value, bpy.types.NodeSocket):
+            tree.links.new(value, target)
+        else:
+            target.default_value = value
+    return node
+
+
+def vector_math(tree, operation, *operands):
+    """Adds a Vector Math node and returns its output."""
+    names = ("Vector", "Vector_001", "Vector_002")
+    node = add_node(tree, "ShaderNodeVectorMath", dict(zip(names, operands)), operation)
+    return socket(node.outputs, "Vector")
+
+
+def image_colour(tree, image, interpolation, uv):
+    """Samples the image at `uv`."""
+    node = add_node(tree, "ShaderNodeTexImage", {"Vector": uv})
+    node.image = image
+    node.interpolation = interpolation
+    node.extension = "REPEAT"
+    return socket(node.outputs, "Color")
+
+
+def bilinear_colour(tree, image, uv):
+    """Blends four texels. Eevee's own linear filter always takes mipmaps."""
+    size = (*image.size, 1)
+    place = vector_math(tree, "MULTIPLY_ADD", uv, size, (-0.5, -0.5, 0))
+    corner = vector_math(tree, "FLOOR", place)
+    weight = add_node(tree, "ShaderNodeSeparateXYZ",
+                      {"Vector": vector_math(tree, "SUBTRACT", place, corner)}).outputs
+
+    def texel(right, up):
+        centre = vector_math(tree, "ADD", corner, (right + 0.5, up + 0.5, 0))
+        return image_colour(tree, image, "Closest", vector_math(tree, "DIVIDE", centre, size))
+
+    def blend(start, end, amount):
+        difference = vector_math(tree, "SUBTRACT", end, start)
+        return vector_math(tree, "MULTIPLY_ADD", difference, amount, start)
+
+    below, above = (blend(texel(0, up), texel(1, up), weight["X"]) for up in (0, 1))
+    return blend(below, above, weight["Y"])
+
+
+def texture_colour(tree, texture):
+    """Output socket with the texture's colour."""
+    if not texture.image:
+        output = tree.nodes.new("ShaderNodeRGB").outputs[0]
+        output.default_value = (*texture.colour, 1)
+        return output
+    node = tree.nodes.new("ShaderNodeUVMap")
+    node.uv_map = "UVMap"
+    if texture.by_texels:
+        return bilinear_colour(tree, texture.image, node.outputs[0])
+    return image_colour(tree, texture.image, "Linear", node.outputs[0])
+
+
+def input_output(tree, name, texture):
+    """Output socket of one of the shot's inputs."""
+    if name == "texture":
+        return texture_colour(tree, texture)
+    if name == "position":
+        return socket(tree.nodes.new("ShaderNodeNewGeometry").outputs, "Position")
+    if name != "normal":
+        raise ValueError(f"unknown input {name}")
+    node = tree.nodes.new("ShaderNodeAttribute")
+    node.attribute_name = NORMAL_ATTRIBUTE
+    return socket(node.outputs, "Vector")
+
+
+def constant_output(tree, entry):
+    """Output socket of a number or a vector."""
+    if "value" in entry:
+        output = tree.nodes.new("ShaderNodeValue").outputs[0]
+        output.default_value = entry["value"]
+        return output
+    inputs = dict(zip("XYZ", entry["vector"]))
+    return add_node(tree, "ShaderNodeCombineXYZ", inputs).outputs[0]
+
+
+def entry_output(tree, entry, done, texture):
+    """Adds one entry of a shot's list; `done` are the outputs of those before."""
+    if "input" in entry:
+        output = input_output(tree, entry["input"], texture)
+    elif "type" in entry:
+        inputs = {name: done[source["node"]] if "node" in source else source["const"]
+                  for name, source in entry["sockets"].items()}
+        node = add_node(tree, entry["type"], inputs, entry.get("operation"))
+        output = socket(node.outputs, entry["output"])
+    else:
+        output = constant_output(tree, entry)
+    output.node.label = entry.get("label", "")
+    return output
+
+
+def lay_out(tree):
+    """Arranges the nodes, which come in dependency order, in columns by depth."""
+    columns, heights = {}, {}
+    for node in tree.nodes:
+        sources = [link.from_node.name for item in node.inputs for link in item.links]
+        column = 1 + max((columns[name] for name in sources), default=-1)
+        row = heights.get(column, 0)
+        columns[node.name], heights[column] = column, row + 1
+        node.location = (column * COLUMN_WIDTH, -row * ROW_HEIGHT)
+
+
+def add_material(shot, texture):
+    """Creates the material that emits the shot's colour."""
+    material = bpy.data.materials.new(shot["name"])
+    material.use_fake_user = True
+    if not material.node_tree:
+        material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    outputs = []
+    for entry in shot["nodes"]:
+        outputs.append(entry_output(tree, entry, outputs, texture))
+    emission = add_node(tree, "ShaderNodeEmission", {"Color": outputs[shot["output"]]})
+    add_node(tree, "ShaderNodeOutputMaterial", {"Surface": emission.outputs[0]})
+    lay_out(tree)
+    return material
+
+
+def set_known(settings, **values):
+    """Sets those options that this version of Blender still has."""
+    for name, value in values.items():
+        if hasattr(settings, name):
+            setattr(settings, name, value)
+
+
+def set_output(scene, size):
+    """Makes renders plain linear numbers, with coverage as alpha."""
+    render = scene.render
+    render.resolution_x, render.resolution_y = size["width"], size["height"]
+    render.resolution_percentage = 100
+    render.pixel_aspect_x = render.pixel_aspect_y = 1
+    render.film_transparent = True
+    render.dither_intensity = 0
+    render.use_compositing = render.use_sequencer = render.use_file_extension = False
+    image = render.image_settings
+    image.file_format, image.color_mode = "OPEN_EXR", "RGBA"
+    image.color_depth, image.exr_codec = "32", "ZIP"
+    scene.display_settings.display_device = "sRGB"
+    view = scene.view_settings
+    view.view_transform, view.look, view.exposure, view.gamma = "Raw", "None", 0, 1
+
+
+def set_cycles(scene):
+    """One ray through the centre of each pixel, and nothing else.
+
+    Cycles gives its box filter the width of a pixel whatever filter_width says, and
+    its table of filter offsets is off by 1/2048 of the width: half a thousandth of a
+    pixel, enough to change coverage. Blackman-Harris obeys filter_width.
+    """
+    set_known(scene.cycles, device="CPU", samples=1, use_adaptive_sampling=False,
+              use_denoising=False, pixel_filter_type="BLACKMAN_HARRIS", filter_width=0.01,
+              max_bounces=0, diffuse_bounces=0, glossy_bounces=0, volume_bounces=0,
+              transmission_bounces=0, transparent_max_bounces=0, use_light_tree=False,
+              sample_clamp_direct=0, sample_clamp_indirect=0)
+
+
+def set_eevee(scene):
+    """One sample at the centre of each pixel, without effects."""
+    set_known(scene.eevee, taa_render_samples=1, use_bloom=False, use_gtao=False,
+              use_ssr=False, use_soft_shadows=False, use_raytracing=False)
+    # Eevee rebuilds its unused light probes for every render: half of the time.
+    set_known(scene.eevee, gi_cubemap_resolution="128", gi_visibility_resolution="8")
+    scene.render.filter_size = 0
+
+
+def engine_name(engine):
+    """Blender's name for the engine."""
+    if engine == "cycles":
+        return "CYCLES"
+    return "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
+
+
+def empty_scene():
+    """Removes what the open file holds and makes the world black."""
+    bpy.data.batch_remove([*bpy.data.objects, *bpy.data.materials, *bpy.data.worlds])
+    bpy.data.orphans_purge(do_recursive=True)
+    world = bpy.data.worlds.new("black")
+    world.color = (0, 0, 0)
+    if world.node_tree:
+        world.node_tree.nodes.clear()
+    bpy.context.scene.world = world
+
+
+def build_scene(engine):
+    """Builds everything; returns the knot and the shots' materials."""
+    empty_scene()
+    knot = add_mesh_object(PARAMETERS["mesh"])
+    add_camera(PARAMETERS["camera"], knot.data)
+    scene = bpy.context.scene
+    set_output(scene, PARAMETERS["image"])
+    set_cycles(scene)
+    set_eevee(scene)
+    scene.render.engine = engine_name(engine)
+    spec = PARAMETERS["texture"]
+    texture = argparse.Namespace(image=load_image(spec), colour=spec.get("color"),
+                                 by_texels=engine == "eevee")
+    return knot, [add_material(shot, texture) for shot in PARAMETERS["shots"]]
+
+
+def render_shot(knot, material, path):
+    """Renders the knot with the shot's material."""
+    knot.data.materials[0] = material
+    bpy.context.scene.render.filepath = os.path.abspath(path)
+    bpy.ops.render.render(write_still=True)
+
+
+def parse_arguments():
+    """Reads the arguments after Blender's own, which end with --."""
+    own = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    names = [shot["name"] for shot in PARAMETERS["shots"]]
+
+    def render(text):
+        name, _, path = text.partition("=")
+        if name not in names or not path:
+            raise argparse.ArgumentTypeError(f"{text!r}: expected one of {names}, =FILE")
+        return names.index(name), path
+
+    parser = argparse.ArgumentParser(prog=os.path.basename(__file__))
+    parser.add_argument("--engine", choices=("cycles", "eevee"), default="cycles")
+    parser.add_argument("--render", type=render, action="append", default=[],
+                        metavar="SHOT=FILE.exr")
+    parser.add_argument("--save", metavar="FILE.blend")
+    return parser.parse_args(own)
+
+
+def main():
+    """Builds the scene, then renders and saves what was asked for."""
+    arguments = parse_arguments()
+    knot, materials = build_scene(arguments.engine)
+    for index, path in arguments.render:
+        render_shot(knot, materials[index], path)
+    knot.data.materials[0] = materials[-1]
+    if arguments.save:
+        bpy.ops.file.pack_all()
+        bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(arguments.save))
+
+
+main()

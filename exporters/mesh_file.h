@@ -1,0 +1,23 @@
+/// Triangle meshes in files.
+#pragma once
+
+#include <filesystem>
+
+#include "scene/triangle_mesh.h"
+
+namespace lumaknot {
+
+/// Writes `mesh`, a manifold one, as .obj or .ply (binary little-endian), with normals and texture
+/// coordinates, in float32. The file is there whole or not at all; `flag` names it in an Error.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view flag);
+
+/// Throws Error, naming `flag`, unless write_mesh() knows the extension of `path`.
+void check_mesh_extension(const std::filesystem::path& path, std::string_view flag);
+
+/// The triangles of a mesh file (.obj .ply .off .stl); polygons are cut into triangles, missing
+/// normals are made smooth, one vertex is kept for each set of equal attributes. With
+/// `needs_uvs`, a mesh without texture coordinates is refused; else they are zero.
+/// Throws Error calling the file `label`.
+TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::string_view label);
+
+}  // namespace lumaknot

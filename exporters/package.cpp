@@ -1,0 +1,26 @@
+#include "exporters/package.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+
+namespace lumaknot {
+
+void check_package_name(const std::filesystem::path& path, std::string_view flag) {
+  const auto breaks_text = [](char c) {
+    return c == '\'' || c == '"' || c == '\\' || (c >= 0 && c < ' ') || c == '\x7f';
+  };
+  if (!std::ranges::any_of(path.filename().string(), breaks_text)) return;
+  throw Error(fmt::format("{} {} must not hold quotes or backslashes: scripts quote the name", flag,
+                          path.string()));
+}
+
+void write_package(const std::filesystem::path& folder, const Package& package,
+                   std::string_view flag) {
+  for (const PackedFile& file : package) write_file(folder / file.name, file.bytes, flag);
+}
+
+}  // namespace lumaknot

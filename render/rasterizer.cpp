@@ -1,0 +1,135 @@
+#include "render/rasterizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lumaknot {
+namespace {
+
+/// A triangle's edges as planes through the eye: the sample on the ray d lies inside when
+/// dot(planes[i], d) is positive for each; planes[i] faces corner i.
+struct Edges {
+  std::array<Vec3d, 3> planes;
+  double volume;  // of the corners' parallelepiped, positive
+
+  bool inside(const std::array<double, 3>& values) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (values[i] < 0 || (values[i] == 0 && !owns(planes[i]))) return false;
+      if (std::isnan(values[i])) return false;
+    }
+    return true;
+  }
+
+  /// The top-left rule: to the right of a left edge, or below a horizontal top one. Image rows run
+  /// against view space's y.
+  static bool owns(const Vec3d& plane) { return plane.x > 0 || (plane.x == 0 && plane.y < 0); }
+};
+
+/// The cross product of a neighbour's edge, run the other way, is its exact negative: products and
+/// differences of doubles round symmetrically.
+Edges edges_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  Edges edges{{cross(b, c), cross(c, a), cross(a, b)}, 0};
+  edges.volume = dot(a, edges.planes[0]);
+  if (edges.volume < 0) {  // seen from behind
+    for (Vec3d& plane : edges.planes) plane = -plane;
+    edges.volume = -edges.volume;
+  }
+  return edges;
+}
+
+/// The corners of a triangle in front of depth `near`: the triangle clipped by one plane.
+std::vector<Vec3d> clipped_near(const std::array<Vec3d, 3>& corners, double near) {
+  std::vector<Vec3d> polygon;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d &a = corners[i], &b = corners[(i + 1) % 3];
+    if (a.z >= near) polygon.push_back(a);
+    if ((a.z >= near) != (b.z >= near)) polygon.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
+  }
+  return polygon;
+}
+
+/// `x` rounded down or up into [0, limit]; NaN becomes 0.
+int clamped(double x, int limit) { return x > 0 ? int(std::min(x, double(limit))) : 0; }
+
+}  // namespace
+
+Rasterizer::Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width, int height,
+                       int band_height)
+    : mesh_(mesh),
+      projection_(camera, width, height),
+      width_(width),
+      height_(height),
+      band_height_(band_height),
+      near_(near_depth(camera)),
+      bins_(std::size_t((height + band_height - 1) / band_height)) {
+  view_positions_.reserve(mesh.positions.size());
+  for (const Vec3d& p : mesh.positions) view_positions_.push_back(projection_.to_view(p));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Bounds bounds = image_bounds(mesh.triangles[t]);
+    if (bounds.empty()) continue;
+    for (int b = bounds.y0 / band_height; b <= (bounds.y1 - 1) / band_height; ++b) {
+      bins_[std::size_t(b)].push_back(t);
+    }
+  }
+}
+
+Rasterizer::Bounds Rasterizer::image_bounds(const Triangle& triangle) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
+  const std::array<Vec3d, 3> corners{view_positions_[triangle[0]], view_positions_[triangle[1]],
+                                     view_positions_[triangle[2]]};
+  for (const Vec3d& corner : clipped_near(corners, near_)) {
+    const Vec3d p = projection_.to_image(corner);
+    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+  }
+  // Samples lie at +0.5; half a pixel more on each side keeps rounding out of the question.
+  return {clamped(std::floor(x0 - 1), width_), clamped(std::ceil(x1 + 1), width_),
+          clamped(std::floor(y0 - 1), height_), clamped(std::ceil(y1 + 1), height_)};
+}
+
+Grid<Fragment> Rasterizer::band(int index) const {
+  const int first_row = index * band_height_;
+  Grid<Fragment> band(width_, std::min(band_height_, height_ - first_row));
+  for (const std::uint32_t triangle : bins_[std::size_t(index)]) draw(triangle, first_row, band);
+  return band;
+}
+
+void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const {
+  const Triangle& corners = mesh_.triangles[triangle];
+  const Edges edges = edges_of(view_positions_[corners[0]], view_positions_[corners[1]],
+                               view_positions_[corners[2]]);
+  if (!(edges.volume > 0)) return;  // edge on, or not finite
+  const Bounds bounds = image_bounds(corners);
+  const int y0 = std::max(bounds.y0, first_row);
+  const int y1 = std::min(bounds.y1, first_row + band.height);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = bounds.x0; x < bounds.x1; ++x) {
+      const Vec3d ray = projection_.ray(x + 0.5, y + 0.5);
+      const std::array<double, 3> values{dot(edges.planes[0], ray), dot(edges.planes[1], ray),
+                                         dot(edges.planes[2], ray)};
+      if (!edges.inside(values)) continue;
+      const double sum = values[0] + values[1] + values[2];
+      const double depth = edges.volume / sum;
+      Fragment& seen = band.at(x, y - first_row);
+      if (!(depth >= near_) || (seen.covered() && depth > seen.depth)) continue;
+      seen = fragment(triangle, depth, {values[0] / sum, values[1] / sum, values[2] / sum});
+    }
+  }
+}
+
+Fragment Rasterizer::fragment(std::uint32_t triangle, double depth,
+                              const std::array<double, 3>& weights) const {
+  Fragment result{.triangle = triangle, .depth = depth, .position = {}, .normal = {}, .uv = {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t v = mesh_.triangles[triangle][i];
+    result.position = result.position + mesh_.positions[v] * weights[i];
+    result.normal = result.normal + mesh_.normals[v] * weights[i];
+    result.uv.u += mesh_.uvs[v].u * weights[i];
+    result.uv.v += mesh_.uvs[v].v * weights[i];
+  }
+  return result;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,61 @@
+/// Which triangle each sample sees: coverage and perspective-correct interpolation, in double.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "render/projection.h"
+#include "scene/image.h"
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// What one sample sees.
+struct Fragment {
+  std::int64_t triangle = -1;  ///< -1: nothing, and the rest is zero
+  double depth = 0;            ///< along the camera's axis
+  Vec3d position, normal;      ///< world; the normal as interpolated
+  Vec2d uv;
+
+  bool covered() const { return triangle >= 0; }
+};
+
+/// A mesh prepared for drawing in bands of rows, each on its own.
+///
+/// Homogeneous rasterisation (Olano and Greer, Triangle Scan Conversion using 2D Homogeneous
+/// Coordinates, 1997): a triangle crossing the plane of the eye needs no clipped copies. Both faces
+/// of a triangle are drawn. A sample on an edge belongs to the triangle whose top or left edge it
+/// is; edges shared by two triangles are computed alike in both, so no sample is lost or drawn
+/// twice. Nothing nearer than near_depth() is drawn; of equal depths the later triangle is.
+class Rasterizer {
+ public:
+  /// An image of width x height samples, in bands of `band_height` rows. Keeps `mesh` by reference.
+  Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width, int height,
+             int band_height);
+
+  int bands() const { return int(bins_.size()); }
+
+  /// Rows [band * band_height, ...) of the image; the last band may be lower.
+  Grid<Fragment> band(int index) const;
+
+ private:
+  struct Bounds {
+    int x0, x1, y0, y1;  // half open; empty when nothing is seen
+    bool empty() const { return x0 >= x1 || y0 >= y1; }
+  };
+
+  Bounds image_bounds(const Triangle& triangle) const;
+  void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
+  Fragment fragment(std::uint32_t triangle, double depth, const std::array<double, 3>& weights) const;
+
+  const TriangleMesh& mesh_;
+  Projection projection_;
+  int width_, height_, band_height_;
+  double near_;
+  std::vector<Vec3d> view_positions_;
+  std::vector<std::vector<std::uint32_t>> bins_;  // a band's triangles, in the mesh's order
+};
+
+}  // namespace lumaknot

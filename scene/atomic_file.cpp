@@ -1,0 +1,67 @@
+#include "scene/atomic_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "scene/error.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(std::string_view flag, const fs::path& path, std::string_view why) {
+  throw Error(fmt::format("{} {} can't be written: {}; choose another place", flag, path.string(),
+                          why));
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path path, std::string_view flag)
+    : path_(std::move(path)), flag_(flag) {
+  std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) fail(flag_, path_, "it is a folder");
+  temporary_ = path_;
+  temporary_.replace_filename(fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(),
+                                          path_.extension().string()));
+  if (!std::ofstream(temporary_, std::ios::binary)) fail(flag_, path_, std::strerror(errno));
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  std::error_code error;
+  fs::rename(temporary_, path_, error);
+  if (error) fail(flag_, path_, error.message());
+  temporary_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
+  AtomicFile file(path, flag);
+  std::ofstream stream(file.temporary(), std::ios::binary);
+  stream.write(bytes.data(), std::streamsize(bytes.size()));
+  stream.close();
+  if (!stream) fail(flag, path, std::strerror(errno));
+  file.commit();
+}
+
+std::string read_file(const fs::path& path, std::string_view label) {
+  std::error_code ignored;
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (fs::is_directory(path, ignored) || !stream) {
+    throw Error(fmt::format("{} can't be read: {} ({})", label, path.string(),
+                            errno ? std::strerror(errno) : "it is a folder"));
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,42 @@
+/// Files that are there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lumaknot {
+
+/// A file to be written beside `path`: write to `temporary()`, then `commit()` renames it to
+/// `path`. Destroyed without a commit it removes the temporary file, and what stood at `path`
+/// stays. The temporary keeps the extension. Throws Error when the folder is not writable.
+class AtomicFile {
+ public:
+  /// `flag` is how an error names the path's origin, say "--output".
+  AtomicFile(std::filesystem::path path, std::string_view flag);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& temporary() const { return temporary_; }
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  std::string flag_;
+};
+
+/// Writes `bytes` to `path`, whole or not at all.
+void write_file(const std::filesystem::path& path, std::string_view bytes, std::string_view flag);
+
+/// The bytes of the file at `path`. Throws Error calling it `label`.
+std::string read_file(const std::filesystem::path& path, std::string_view label);
+
+/// The bytes of `values`, as they lie in memory.
+template <class T>
+std::string_view bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+}  // namespace lumaknot

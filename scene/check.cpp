@@ -1,0 +1,105 @@
+#include "scene/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "scene/error.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr long long kMostVertices = 20'000'000;       // about 8 GB while it is built
+constexpr long long kMostPixels = 1LL << 28;          // 4 GB of RGBA float
+constexpr long long kMostSamples = 1LL << 34;
+
+/// Visits a struct's fields and checks each number against its range.
+struct RangeVisitor {
+  std::string prefix;
+
+  std::string label(std::string_view key) const {
+    std::string name(key);
+    if (prefix == "--") std::ranges::replace(name, '_', '-');
+    return prefix + name;
+  }
+  void integer(std::string_view key, int value, IntRange range, std::string_view) const {
+    check_integer(label(key), value, range);
+  }
+  void number(std::string_view key, double value, Bound bound, std::string_view) const {
+    check_number(label(key), value, bound);
+  }
+};
+
+void check_camera(const Camera& camera) {
+  const Vec3d sight = camera.position - camera.target;
+  if (!(length(sight) > 0)) {
+    throw Error("camera.target must differ from camera.position: the camera looks nowhere");
+  }
+  if (!(length(camera.up) > 0) ||
+      !(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
+    throw Error("camera.up must not be zero nor along the line of sight; try [0, 1, 0]");
+  }
+}
+
+}  // namespace
+
+void check_integer(const std::string& label, long long value, IntRange range) {
+  if (value >= range.min && value <= range.max) return;
+  throw Error(fmt::format("{} must be an integer from {} to {}, got {}", label, range.min,
+                          range.max, value));
+}
+
+void check_number(const std::string& label, double value, Bound bound) {
+  if (!std::isfinite(value)) {
+    throw Error(fmt::format("{} must be a finite number, got {}", label, value));
+  }
+  if (value < bound.min || (bound.open_min && value == bound.min)) {
+    throw Error(fmt::format("{} must be {} {}, got {}", label, bound.open_min ? ">" : ">=",
+                            bound.min, value));
+  }
+  if (value > bound.max || (bound.open_max && value == bound.max)) {
+    throw Error(fmt::format("{} must be {} {}, got {}", label, bound.open_max ? "<" : "<=",
+                            bound.max, value));
+  }
+}
+
+void check_knot(const KnotSpec& knot, const std::string& prefix) {
+  const RangeVisitor ranges{prefix};
+  KnotSpec copy = knot;
+  visit_fields(ranges, copy);
+  if (std::gcd(knot.p, knot.q) != 1) {
+    throw Error(fmt::format("{} and {} must be coprime for a knot of one piece, got {} and {}",
+                            ranges.label("p"), ranges.label("q"), knot.p, knot.q));
+  }
+  const long long vertices = (knot.segments + 1LL) * (knot.sides + 1LL);
+  if (vertices > kMostVertices) {
+    throw Error(fmt::format("{} x {} make {} vertices, more than {}; lower one of them",
+                            ranges.label("segments"), ranges.label("sides"), vertices,
+                            kMostVertices));
+  }
+}
+
+void check_samples(const ImageSpec& image, long long limit) {
+  const long long samples = 1LL * image.width * image.height * image.samples * image.samples;
+  if (samples <= limit) return;
+  throw Error(fmt::format(
+      "image.width x image.height x image.samples^2 is {} samples, more than {}; lower one of them",
+      samples, limit));
+}
+
+void check_scene(const SceneSpec& spec) {
+  if (const auto* knot = std::get_if<KnotSpec>(&spec.mesh)) check_knot(*knot, "mesh.knot.");
+  check_camera(spec.view.camera);
+  const Material& material = spec.view.material;
+  if (material.space == Space::kRgb && material.luma_offset != 0) {
+    throw Error(fmt::format(
+        "material.luma_offset must be 0 in space \"rgb\", got {}; or set material.space to \"yiq\"",
+        material.luma_offset));
+  }
+  const ImageSpec& image = spec.view.image;
+  check_samples({image.width, image.height, 1}, kMostPixels);
+  check_samples(image, kMostSamples);
+}
+
+}  // namespace lumaknot

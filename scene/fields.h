@@ -1,0 +1,122 @@
+/// Every field of a scene described once: its JSON key, its range, its meaning. The reader, the
+/// writer, the published schema, the range checks and the command line's flags all visit this
+/// table.
+///
+/// A visitor has the members
+///   integer(key, int&, IntRange, about), number(key, double&, Bound, about),
+///   vector(key, Vec3d&, about), color(key, Vec3d&, about), text(key, std::string&, about),
+///   constant(key, value, about), choice(key, Enum&, names, about), object(key, Struct&, about)
+///   and one_of(key, variant&, about), which visit_value() the chosen alternative.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// The integers from `min` to `max`.
+struct IntRange {
+  int min = std::numeric_limits<int>::min();
+  int max = std::numeric_limits<int>::max();
+};
+
+/// The finite numbers from `min` to `max`, without the ends where `open_min`, `open_max` say so.
+struct Bound {
+  double min = std::numeric_limits<double>::lowest();
+  double max = std::numeric_limits<double>::max();
+  bool open_min = false, open_max = false;
+};
+
+inline constexpr Bound kPositive{.min = 0, .open_min = true};
+inline constexpr Bound kNotNegative{.min = 0};
+
+/// The names of an enumeration's values, in their order.
+inline constexpr std::array<std::string_view, 1> kModelNames{"phong"};
+inline constexpr std::array<std::string_view, 2> kSpaceNames{"rgb", "yiq"};
+inline constexpr std::array<std::string_view, 2> kClampNames{"free", "table1"};
+inline constexpr std::array<std::string_view, 2> kNormalNames{"unit", "interpolated"};
+
+template <class V>
+void visit_fields(V& v, KnotSpec& k) {
+  v.integer("p", k.p, {-1000, 1000}, "turns about the axis; coprime to q");
+  v.integer("q", k.q, {-1000, 1000}, "turns through the hole");
+  v.number("ring", k.ring_radius, kPositive, "radius of the ring, axis to tube centre");
+  v.number("winding", k.winding_radius, kPositive, "radius of the winding about the ring");
+  v.number("tube", k.tube_radius, kPositive, "radius of the tube swept along the knot");
+  v.integer("segments", k.segments, {3, 10'000'000}, "faces along the knot");
+  v.integer("sides", k.sides, {3, 1'000'000}, "faces around the tube");
+  v.integer("repeat_u", k.repeat_u, {1, 10'000}, "texture tiles along the knot");
+  v.integer("repeat_v", k.repeat_v, {1, 10'000}, "texture tiles around the tube");
+}
+
+template <class V>
+void visit_fields(V& v, Camera& c) {
+  v.vector("position", c.position, "the eye");
+  v.vector("target", c.target, "what it looks at");
+  v.vector("up", c.up, "upwards in the image");
+  v.number("fov_degrees", c.fov_degrees,
+           {.min = 0, .max = 180, .open_min = true, .open_max = true},
+           "vertical field of view, degrees");
+}
+
+template <class V>
+void visit_fields(V& v, PointLight& l) {
+  v.vector("position", l.position, "of the point light");
+}
+
+template <class V>
+void visit_fields(V& v, Material& m) {
+  v.choice("model", m.model, kModelNames, "the lighting model");
+  v.choice("space", m.space, kSpaceNames, "where light acts: every channel, or luma alone");
+  v.number("shininess", m.shininess, kNotNegative, "exponent of the highlight");
+  v.number("diffuse", m.diffuse, kNotNegative, "weight of the diffuse term");
+  v.number("specular", m.specular, kNotNegative, "weight of the specular term");
+  v.number("luma_offset", m.luma_offset, {}, "added to the lit luma; zero in space rgb");
+  v.choice("clamp", m.clamp, kClampNames, "clamps of the paper's Table 1, or none");
+  v.choice("normal", m.normal, kNormalNames, "renormalised a pixel, or as interpolated");
+}
+
+template <class V>
+void visit_fields(V& v, ImageSpec& i) {
+  v.integer("width", i.width, {1, 65'536}, "pixels");
+  v.integer("height", i.height, {1, 65'536}, "pixels");
+  v.integer("samples", i.samples, {1, 64}, "n for n x n samples a pixel");
+}
+
+template <class V>
+void visit_fields(V& v, SceneSpec& s) {
+  v.one_of("mesh", s.mesh, "what is drawn");
+  v.one_of("texture", s.texture, "the surface's colour");
+  v.object("camera", s.view.camera, "a pinhole camera; right-handed, +Z up");
+  v.object("light", s.view.light, "one white point light, no falloff");
+  v.number("ambient", s.view.ambient, kNotNegative, "ambient light");
+  v.object("material", s.view.material, "how the surface answers the light");
+  v.object("image", s.view.image, "the picture's size and samples");
+}
+
+template <class V>
+void visit_value(V& v, KnotSpec& k) {
+  v.object("knot", k, "a tube along a (p,q) torus knot");
+}
+template <class V>
+void visit_value(V& v, MeshFile& f) {
+  v.text("file", f.path, "a mesh file; relative to the scene file's folder");
+}
+template <class V>
+void visit_value(V& v, Bricks&) {
+  v.constant("builtin", "bricks", "a procedural brick wall, 512 x 512");
+}
+template <class V>
+void visit_value(V& v, TextureFile& f) {
+  v.text("file", f.path, "an image file; relative to the scene file's folder");
+}
+template <class V>
+void visit_value(V& v, PlainColor& c) {
+  v.color("color", c.rgb, "one r'g'b' colour, components in [0, 1]");
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,42 @@
+/// The built-in scenes and materials.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// A material by name.
+struct NamedMaterial {
+  std::string_view name;
+  std::string_view about;
+  Material material;
+};
+
+/// The paper's lighting: `phong` (eq. 3), `yiq-table1` (the HLSL listing with its clamps, its -0.1
+/// and its unnormalised normal) and `yiq-eq6` (eq. 6-8 as printed).
+const std::array<NamedMaterial, 3>& named_materials();
+
+/// `base` with the formula of the material called `name`; shininess and weights stay as they are.
+/// Nothing when there is no such name.
+std::optional<Material> with_formula(const Material& base, std::string_view name);
+
+/// The name of `material`'s formula, or "custom".
+std::string_view formula_name(const Material& material);
+
+/// A scene by name.
+struct NamedScene {
+  std::string_view name;
+  std::string_view about;
+};
+
+/// Figure 1's three views and Figure 2's performance scene.
+const std::array<NamedScene, 4>& named_scenes();
+
+/// The built-in scene called `name`, or nothing.
+std::optional<SceneSpec> builtin_scene(std::string_view name);
+
+}  // namespace lumaknot

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "scene/check.h"
+#include "scene/error.h"
+#include "scene/fields.h"
+#include "scene/scene_json.h"
+
+namespace lumaknot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a value is, as an error message quotes it: short, on one line.
+std::string quoted(const Json& value) {
+  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+/// Calls `visit(alternative)` for a default value of each type that the variant can hold.
+template <class... Ts, class F>
+void for_each_alternative(const std::variant<Ts...>&, F visit) {
+  (visit(Ts{}), ...);
+}
+
+/// Fills a struct from a JSON object, key by key.
+class Reader {
+ public:
+  Reader(const Json& object, std::string path) : object_(object), path_(std::move(path)) {
+    if (!object.is_object()) {
+      throw Error(fmt::format("{} must be an object, got {}", path_.empty() ? "the scene" : path_,
+                              quoted(object)));
+    }
+  }
+
+  void integer(std::string_view key, int& value, IntRange range, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_number_integer()) fail(key, "an integer", *found);
+    // Unsigned values beyond 63 bits wrap to negative ones; no range here reaches that far.
+    const bool huge = found->is_number_unsigned() && found->get<std::uint64_t>() > INT64_MAX;
+    check_integer(label(key), huge ? INT64_MAX : found->get<std::int64_t>(), range);
+    value = found->get<int>();
+  }
+  void number(std::string_view key, double& value, Bound bound, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_number()) fail(key, "a number", *found);
+    check_number(label(key), found->get<double>(), bound);
+    value = found->get<double>();
+  }
+  void vector(std::string_view key, Vec3d& value, std::string_view) { triple(key, value, {}); }
+  void color(std::string_view key, Vec3d& value, std::string_view) {
+    triple(key, value, {.min = 0, .max = 1});
+  }
+  void text(std::string_view key, std::string& value, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
+      fail(key, "a file name", *found);
+    }
+    value = found->get<std::string>();
+  }
+  void constant(std::string_view key, std::string_view value, std::string_view) {
+    const Json* found = find(key);
+    if (found && *found != value) fail(key, fmt::format("\"{}\"", value), *found);
+  }
+  template <class Enum, std::size_t N>
+  void choice(std::string_view key, Enum& value, const std::array<std::string_view, N>& names,
+              std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (*found == names[i]) {
+        value = Enum(i);
+        return;
+      }
+    }
+    fail(key, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")), *found);
+  }
+  template <class T>
+  void object(std::string_view key, T& value, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    Reader inner(*found, label(key));
+    visit_fields(inner, value);
+    inner.finish();
+  }
+  template <class... Ts>
+  void one_of(std::string_view key, std::variant<Ts...>& value, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    Reader inner(*found, label(key));
+    for_each_alternative(value, [&](auto alternative) {
+      const std::size_t before = inner.used_;
+      visit_value(inner, alternative);
+      if (inner.used_ > before) value = alternative;
+    });
+    inner.finish();
+    if (inner.used_ != 1) {
+      throw Error(fmt::format("{} must have exactly one of the keys {}, got {}", label(key),
+                              fmt::join(inner.known_, ", "), quoted(*found)));
+    }
+  }
+
+  /// Refuses the keys that nobody asked for.
+  void finish() const {
+    for (const auto& [key, value] : object_.items()) {
+      if (std::ranges::find(known_, key) != known_.end()) continue;
+      throw Error(fmt::format("{} is not a known key; known here: {}", label(key),
+                              fmt::join(known_, ", ")));
+    }
+  }
+
+ private:
+  std::string label(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  }
+  const Json* find(std::string_view key) {
+    if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+    const auto found = object_.find(std::string(key));
+    if (found == object_.end()) return nullptr;
+    ++used_;
+    return &*found;
+  }
+  [[noreturn]] void fail(std::string_view key, std::string_view wanted, const Json& got) const {
+    throw Error(fmt::format("{} must be {}, got {}", label(key), wanted, quoted(got)));
+  }
+  void triple(std::string_view key, Vec3d& value, Bound bound) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_array() || found->size() != 3) fail(key, "three numbers", *found);
+    double parts[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(*found)[i].is_number()) fail(key, "three numbers", *found);
+      parts[i] = (*found)[i].get<double>();
+      check_number(fmt::format("{}[{}]", label(key), i), parts[i], bound);
+    }
+    value = {parts[0], parts[1], parts[2]};
+  }
+
+  const Json& object_;
+  std::string path_;
+  std::vector<std::string> known_;
+  std::size_t used_ = 0;
+};
+
+/// The text as JSON, or an Error that says where it stops being JSON.
+Json parse(std::string_view text, std::string_view source) {
+  try {
+    return Json::parse(text);
+  } catch (const nlohmann::json::exception& e) {
+    // Its messages read "[json.exception.parse_error.101] parse error at line 1, column 2: ...".
+    std::string why = e.what();
+    why = why.substr(std::min(why.size(), why.find("] ") + 2));
+    std::ranges::replace(why, '\n', ' ');
+    throw Error(fmt::format("{} is not JSON: {}", source, why));
+  }
+}
+
+}  // namespace
+
+SceneSpec scene_from_json(std::string_view text, std::string_view source) {
+  const Json json = parse(text, source);
+  SceneSpec spec;
+  Reader reader(json, "");
+  visit_fields(reader, spec);
+  reader.finish();
+  check_scene(spec);
+  return spec;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,50 @@
+/// Two pictures of one shot, compared.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "validate/explain.h"
+#include "validate/limits.h"
+#include "validate/renderer.h"
+
+namespace lumaknot {
+
+/// A place in the image, in pixels from the top left.
+struct PixelPlace {
+  int x = 0, y = 0;
+};
+
+/// What our image says of every comparison of one scene.
+struct Reference {
+  const Scene& scene;
+  const Grid<Fragment>& fragments;
+  Grid<char> silhouettes;
+};
+
+/// How another renderer's image of a shot differs from ours. Errors are the largest difference of a
+/// pixel's three channels, inside: covered in both images and away from silhouettes.
+struct Comparison {
+  long long covered = 0;           ///< pixels covered in our image
+  long long coverage_differs = 0;  ///< pixels covered in one image only
+  long long inside = 0;
+  double mean = 0, rmse = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
+  double p9999_unclassed = 0;  ///< p99.99 of the pixels inside that are no classed outlier
+  PixelPlace max_at;
+  long long outliers = 0;  ///< pixels covered in both whose error exceeds the limit for one
+  std::array<long long, kPixelClassNames.size()> classes{};  ///< the outliers by class
+  std::vector<PixelPlace> unexplained;                       ///< the first few of them
+  std::vector<std::string> exceeded;  ///< the limits that it exceeds, one line each
+
+  bool agrees() const { return exceeded.empty(); }
+};
+
+/// `theirs` against `ours`, our own image of `shot`. With `limited`, ours is limited to [0, 1] first.
+Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
+                   const Image& theirs, bool limited, const Limits& limits);
+
+/// |a - b| x 16, limited to [0, 1] as an image file does anyway; black where neither covers.
+Image difference(const Image& a, const Image& b, bool limited);
+
+}  // namespace lumaknot

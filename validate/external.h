@@ -1,0 +1,28 @@
+/// What the adapters of other programs share.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "validate/process.h"
+#include "validate/renderer.h"
+
+namespace lumaknot {
+
+/// The image in `path`, believed only when it decodes, has the scene's size and shows something;
+/// else why not.
+Drawn drawn_image(const std::filesystem::path& path, const View& view);
+
+/// The first line of `text` that starts with `prefix`, or nothing.
+std::string line_with(std::string_view text, std::string_view prefix);
+
+/// Why a program ended badly, with the last line that it printed; empty when it ended well.
+std::string bad_end(const Ended& ended);
+
+/// The version that the program at `path` prints when called with `argument`: the first line that
+/// starts with `prefix`. Empty when it can't be run.
+std::string version_of(const std::filesystem::path& path, const std::string& argument,
+                       std::string_view prefix);
+
+}  // namespace lumaknot

@@ -1,0 +1,25 @@
+/// How far a renderer's picture may lie from ours, and why.
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+namespace lumaknot {
+
+/// Errors are the largest difference of a pixel's three channels. Inside: covered in both images
+/// and not at a silhouette.
+struct Limits {
+  std::string_view renderer;
+  long long coverage = 0;  ///< pixels covered in one image only
+  double mean = kNone, p999 = kNone, max = kNone;  ///< of the errors inside
+  double p9999_unclassed = kNone;  ///< inside, without the outliers that have a class
+  double outlier = kNone;          ///< an error beyond it needs a class
+  std::string_view reason;
+
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+};
+
+/// The limits of the renderer called `name`.
+const Limits& limits_of(std::string_view name);
+
+}  // namespace lumaknot

@@ -1,0 +1,40 @@
+#include "validate/renderer.h"
+
+namespace lumaknot {
+namespace {
+
+class OwnRenderer final : public Renderer {
+ public:
+  explicit OwnRenderer(const Grid<Fragment>& fragments) : fragments_(fragments) {}
+
+  std::string name() const override { return "lumaknot"; }
+
+  Availability availability() const override { return {.found = true, .version = "0.1.0", .path = {}, .remedy = {}}; }
+
+  Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
+    const auto start = std::chrono::steady_clock::now();
+    Rendering rendering;
+    rendering.renderer = name();
+    rendering.version = availability().version;
+    for (const Shot& shot : shots) {
+      Drawn drawn;
+      drawn.status = Drawn::Status::kDrawn;
+      drawn.image = shade_all(scene, shot, fragments_);
+      rendering.shots.push_back(std::move(drawn));
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    rendering.seconds = elapsed.count();
+    return rendering;
+  }
+
+ private:
+  const Grid<Fragment>& fragments_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> own_renderer(const Grid<Fragment>& fragments) {
+  return std::make_unique<OwnRenderer>(fragments);
+}
+
+}  // namespace lumaknot

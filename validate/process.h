@@ -1,0 +1,89 @@
+/// Other programs, run so that they can do no harm and leave nothing behind.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lumaknot {
+
+/// A private folder under the system's temporary one, removed with what it holds.
+class PrivateFolder {
+ public:
+  PrivateFolder();
+  ~PrivateFolder();
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A program to run: no shell, a folder of its own, an environment of nothing but PATH, HOME and
+/// TMPDIR in that folder, a UTF-8 C locale and `environment`.
+struct Command {
+  std::vector<std::string> arguments;  ///< the program, as an absolute path, first
+  std::filesystem::path folder;
+  std::vector<std::string> environment;  ///< "NAME=value"
+};
+
+/// How a program ended.
+struct Ended {
+  int exit_code = 0;       ///< 128 + the signal's number when one ended it
+  bool timed_out = false;  ///< it was killed at its deadline
+  double seconds = 0;      ///< wall time
+  std::string log;         ///< what it printed, both streams, the last 64 KiB
+
+  bool well() const { return exit_code == 0 && !timed_out; }
+};
+
+/// A running program in its own process group, which is killed with this object.
+class Process {
+ public:
+  /// Starts `command`. Throws std::runtime_error when that fails.
+  explicit Process(const Command& command);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Waits until the program ends, or kills its group at `limit` from its start. Throws
+  /// Interrupted, the group killed, when the user asked to stop.
+  Ended wait(std::chrono::duration<double> limit);
+
+  /// What it has printed so far, the last 64 KiB.
+  std::string log() const;
+
+  bool running() const;
+
+ private:
+  void kill_group();
+
+  std::chrono::steady_clock::time_point start_;
+  std::filesystem::path log_path_;
+  int pid_ = -1, pid_fd_ = -1;
+};
+
+/// The user pressed Ctrl-C, or asked for the end in another way.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// While it lives, SIGINT and SIGTERM no longer end this program but every Process::wait().
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+/// `command` from start to end.
+Ended run(const Command& command, std::chrono::duration<double> limit);
+
+/// The program `name` as an absolute path: itself when it holds a slash, else looked up in PATH.
+/// Empty when there is none.
+std::filesystem::path find_program(const std::string& name);
+
+}  // namespace lumaknot

@@ -1,0 +1,29 @@
+/// The result for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "validate/validate.h"
+
+namespace lumaknot {
+
+/// What the report says of the job beside its result.
+struct ReportHead {
+  std::string scene;    ///< what the user called it
+  std::string command;  ///< to repeat the whole job
+};
+
+/// The numbers as JSON, ending in a newline.
+std::string report_json(const Validation& validation, const ReportHead& head);
+
+/// One HTML page that needs nothing else: the pictures side by side, ours on hover, the differences
+/// x 16, the numbers, versions, seconds and commands.
+std::string report_html(const Validation& validation, const ReportHead& head);
+
+/// "agreed", "differed", "failed" or "skipped", as both forms say it.
+std::string_view outcome(const Judged& shot);
+
+/// "agreed", "differed" or "nothing to compare".
+std::string_view verdict_name(Verdict verdict);
+
+}  // namespace lumaknot

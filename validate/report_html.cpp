@@ -1,0 +1,231 @@
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+
+#include "exporters/image_file.h"
+#include "validate/report.h"
+
+namespace lumaknot {
+namespace embedded {
+std::string_view report_template();
+}
+namespace {
+
+namespace mustache = kainjow::mustache;
+using Data = mustache::data;
+
+std::string base64_png(const Image& image) {
+  return OIIO::Strutil::base64_encode(display_png(image));
+}
+
+/// The pictures of the page, encoded.
+struct EncodedShot {
+  std::string png, difference;
+  std::string instead;  ///< ours, where the renderer drew another shot
+};
+
+struct EncodedPictures {
+  std::vector<std::string> own;                  ///< by shot
+  std::vector<std::vector<EncodedShot>> others;  ///< by renderer and shot
+};
+
+/// Encodes on all cores: this is most of the report's time.
+EncodedPictures encode(const Validation& v) {
+  EncodedPictures result{std::vector<std::string>(v.shots.size()),
+                         {v.judgements.size(), std::vector<EncodedShot>(v.shots.size())}};
+  oneapi::tbb::parallel_for(std::size_t{0}, v.shots.size() * (v.judgements.size() + 1),
+                            [&](std::size_t job) {
+    const std::size_t shot = job % v.shots.size(), renderer = job / v.shots.size();
+    if (renderer == v.judgements.size()) {
+      result.own[shot] = base64_png(v.own.shots[shot].image);
+      return;
+    }
+    const Judgement& judgement = v.judgements[renderer];
+    const Judged& judged = judgement.shots[shot];
+    if (judged.drawn.status != Drawn::Status::kDrawn) return;
+    EncodedShot& encoded = result.others[renderer][shot];
+    encoded.png = base64_png(judged.drawn.image);
+    encoded.difference = base64_png(
+        difference(judged.ours, judged.drawn.image, judgement.rendering.limited));
+    if (judged.drawn.instead) encoded.instead = base64_png(judged.ours);
+  });
+  return result;
+}
+
+/// A limit on the way into text; without one, nothing.
+std::string limit_text(std::string_view name, double limit) {
+  return std::isfinite(limit) ? fmt::format("{} ≤ {:g}, ", name, limit) : "";
+}
+
+std::string limits_text(const Limits& l) {
+  return fmt::format("coverage ≤ {}, {}{}{}{}unexplained outliers 0. {}", l.coverage,
+                     limit_text("mean", l.mean), limit_text("p99.9", l.p999),
+                     limit_text("max", l.max),
+                     limit_text("p99.99 without classed outliers", l.p9999_unclassed), l.reason);
+}
+
+std::string details(const Judged& judged) {
+  const Comparison& c = judged.comparison;
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < c.classes.size(); ++i) {
+    if (c.classes[i]) parts.push_back(fmt::format("{} {}", c.classes[i], kPixelClassNames[i]));
+  }
+  for (const std::string& line : c.exceeded) parts.push_back("exceeded: " + line);
+  for (const std::string& line : {judged.drawn.why, judged.drawn.note}) {
+    if (!line.empty()) parts.push_back(line);
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+Data row_data(const Shot& shot, const std::string& renderer, const Judged& judged) {
+  const Comparison& c = judged.comparison;
+  const auto number = [](double x) { return fmt::format("{:.2e}", x); };
+  Data row;
+  row.set("shot", shot.name);
+  row.set("renderer", renderer);
+  row.set("outcome", std::string(outcome(judged)));
+  row.set("drawn", judged.drawn.status == Drawn::Status::kDrawn);
+  row.set("coverage", fmt::format("{} of {}", c.coverage_differs, c.covered));
+  row.set("mean", number(c.mean));
+  row.set("rmse", number(c.rmse));
+  row.set("p99", number(c.p99));
+  row.set("p999", number(c.p999));
+  row.set("max", number(c.max));
+  row.set("max_at", fmt::format("{}, {}", c.max_at.x, c.max_at.y));
+  row.set("outliers", std::to_string(c.outliers));
+  row.set("details", details(judged));
+  return row;
+}
+
+Data claims_data(const Shot& shot, const std::string& renderer, const Claims& claims) {
+  Data row;
+  row.set("shot", shot.name);
+  row.set("renderer", renderer);
+  row.set("pixels", std::to_string(claims.highlight_pixels));
+  row.set("chroma", fmt::format("{:.4f}", claims.highlight_chroma));
+  row.set("hue", fmt::format("{:.2f}", claims.hue_shift_degrees));
+  row.set("zero", fmt::format("{:.1f}", 100 * claims.clipped_at_zero));
+  row.set("one", fmt::format("{:.1f}", 100 * claims.clipped_at_one));
+  return row;
+}
+
+Data renderers_data(const Validation& v) {
+  Data list(Data::type::list);
+  for (const Judgement& judgement : v.judgements) {
+    const Rendering& r = judgement.rendering;
+    Data row;
+    row.set("name", r.renderer);
+    row.set("version", r.version.empty() ? "not run" : r.version);
+    row.set("seconds", fmt::format("{:.2f}", r.seconds));
+    row.set("limits", limits_text(limits_of(r.renderer)));
+    if (!r.command.empty()) row.set("command", fmt::format("{}", fmt::join(r.command, " ")));
+    list.push_back(row);
+  }
+  return list;
+}
+
+Data comparison_rows(const Validation& v) {
+  Data list(Data::type::list);
+  for (std::size_t s = 0; s < v.shots.size(); ++s) {
+    for (const Judgement& judgement : v.judgements) {
+      list.push_back(row_data(v.shots[s], judgement.rendering.renderer, judgement.shots[s]));
+    }
+  }
+  return list;
+}
+
+Data claims_rows(const Validation& v) {
+  Data list(Data::type::list);
+  for (std::size_t s = 0; s < v.shots.size(); ++s) {
+    if (v.shots[s].stage != Stage::kFinal) continue;
+    list.push_back(claims_data(v.shots[s], v.own.renderer, v.own_claims[s]));
+    for (const Judgement& judgement : v.judgements) {
+      const Judged& judged = judgement.shots[s];
+      if (judged.drawn.status != Drawn::Status::kDrawn) continue;
+      list.push_back(claims_data(v.shots[s], judgement.rendering.renderer, judged.claims));
+    }
+  }
+  return list;
+}
+
+Data own_pictures(const Validation& v, const EncodedPictures& pictures) {
+  Data list(Data::type::list);
+  const auto add = [&](const std::string& key, const std::string& png) {
+    Data picture;
+    picture.set("key", key);
+    picture.set("png", png);
+    list.push_back(picture);
+  };
+  for (std::size_t s = 0; s < v.shots.size(); ++s) {
+    add(v.shots[s].name, pictures.own[s]);
+    for (std::size_t r = 0; r < v.judgements.size(); ++r) {
+      const std::string& instead = pictures.others[r][s].instead;
+      if (!instead.empty()) add(fmt::format("{}-{}", v.shots[s].name, r), instead);
+    }
+  }
+  return list;
+}
+
+Data card_data(const Validation& v, const EncodedPictures& pictures, std::size_t s,
+               std::size_t r) {
+  const EncodedShot& encoded = pictures.others[r][s];
+  Data card;
+  card.set("renderer", v.judgements[r].rendering.renderer);
+  card.set("outcome", std::string(outcome(v.judgements[r].shots[s])));
+  card.set("why", v.judgements[r].shots[s].drawn.why);
+  card.set("ours_key",
+           encoded.instead.empty() ? v.shots[s].name : fmt::format("{}-{}", v.shots[s].name, r));
+  if (!encoded.png.empty()) {
+    card.set("png", encoded.png);
+    card.set("difference", encoded.difference);
+  }
+  return card;
+}
+
+Data shots_data(const Validation& v, const EncodedPictures& pictures) {
+  Data finals(Data::type::list), stages(Data::type::list);
+  for (std::size_t s = 0; s < v.shots.size(); ++s) {
+    const bool final = v.shots[s].stage == Stage::kFinal;
+    Data shot, cards(Data::type::list);
+    for (std::size_t r = 0; r < v.judgements.size(); ++r) {
+      cards.push_back(card_data(v, pictures, s, r));
+    }
+    shot.set("key", v.shots[s].name);
+    shot.set("title", final ? v.shots[s].name : v.shots[s].name + " alone");
+    shot.set("cards", cards);
+    (final ? finals : stages).push_back(shot);
+  }
+  for (const Data& shot : stages.list_value()) finals.push_back(shot);
+  return finals;
+}
+
+}  // namespace
+
+std::string report_html(const Validation& v, const ReportHead& head) {
+  const EncodedPictures pictures = encode(v);
+  Data page;
+  page.set("scene", head.scene);
+  page.set("command", head.command);
+  page.set("verdict", std::string(verdict_name(v.verdict)));
+  page.set("verdict_class",
+           v.verdict == Verdict::kNothingToCompare ? "skipped" : std::string(verdict_name(v.verdict)));
+  page.set("seconds", fmt::format("{:.1f}", v.seconds));
+  page.set("width", std::to_string(v.own.shots.front().image.width));
+  page.set("height", std::to_string(v.own.shots.front().image.height));
+  page.set("columns", std::to_string(v.judgements.size() + 1));
+  page.set("own_version", v.own.version);
+  page.set("own_seconds", fmt::format("{:.2f}", v.own.seconds));
+  page.set("renderers", renderers_data(v));
+  page.set("rows", comparison_rows(v));
+  page.set("claims", claims_rows(v));
+  page.set("own_pictures", own_pictures(v, pictures));
+  page.set("shots", shots_data(v, pictures));
+  mustache::mustache layout{std::string(embedded::report_template())};
+  return layout.render(page);
+}
+
+}  // namespace lumaknot

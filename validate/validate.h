@@ -1,0 +1,58 @@
+/// The main job: one scene drawn by every renderer, compared stage by stage.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validate/claims.h"
+#include "validate/compare.h"
+#include "validate/renderer.h"
+
+namespace lumaknot {
+
+/// What to validate.
+struct ValidationJob {
+  Scene scene;                         ///< image.samples must be 1; see sample_by_sample()
+  std::vector<Shot> finals;            ///< the materials to draw, by name
+  std::vector<std::string> renderers;  ///< names of those to run, lower case; empty: all
+  Programs programs;
+};
+
+/// One renderer's picture of one shot, judged.
+struct Judged {
+  Drawn drawn;
+  Image ours;             ///< our picture of what it drew
+  Comparison comparison;  ///< when it was drawn
+  Claims claims;          ///< of final shots that were drawn
+};
+
+/// One renderer's part of the result. `shots` are in the order of Validation::shots.
+struct Judgement {
+  Rendering rendering;  ///< its shots moved to `shots`
+  std::vector<Judged> shots;
+};
+
+enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
+
+struct Validation {
+  std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
+  Rendering own;
+  std::vector<Claims> own_claims;     ///< of the final shots
+  std::vector<Judgement> judgements;  ///< one a renderer
+  double seconds = 0;                 ///< wall time of everything up to here
+  Verdict verdict = Verdict::kNothingToCompare;
+};
+
+/// The lower-case names that ValidationJob::renderers may hold.
+std::vector<std::string> renderer_names();
+
+/// `scene` with each of its samples x samples samples a pixel made a pixel of its own.
+Scene sample_by_sample(Scene scene);
+
+/// Draws the job's shots with every renderer at the same time and compares as they finish.
+/// `told` gets a line whenever a renderer is done, one at a time. Throws Interrupted.
+Validation validate(const ValidationJob& job,
+                    const std::function<void(const std::string&)>& told = {});
+
+}  // namespace lumaknot
