@@ -26,9 +26,9 @@ void run(const DoctorFlags& flags) {
                     {"version", here.version},
                     {"path", here.path},
                     {"remedy", here.remedy}});
-    flags.out.say(here.found ? fmt::format("{:<8} found    {}  {}", renderer->name(), here.version,
-                                           here.path)
-                             : fmt::format("{:<8} missing  {}", renderer->name(), here.remedy));
+    flags.out.say(
+        here.found ? fmt::format("{:<8} found    {}  {}", renderer->name(), here.version, here.path)
+                   : fmt::format("{:<8} missing  {}", renderer->name(), here.remedy));
   }
   if (flags.out.json) fmt::print("{}\n", json.dump(2));
 }
@@ -37,10 +37,12 @@ void run(const DoctorFlags& flags) {
 
 void add_doctor_command(CLI::App& program) {
   auto flags = std::make_shared<DoctorFlags>();
-  CLI::App* command = program.add_subcommand("doctor", "Tell which renderers are here, and how to get the others");
+  CLI::App* command =
+      program.add_subcommand("doctor", "Tell which renderers are here, and how to get the others");
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
-  command->footer("Examples:\n  lumaknot doctor\n  lumaknot doctor --blender /opt/blender-4.2/blender");
+  command->footer(
+      "Examples:\n  lumaknot doctor\n  lumaknot doctor --blender /opt/blender-4.2/blender");
   command->callback([flags] { run(*flags); });
 }
 

@@ -61,7 +61,8 @@ struct Format {
   std::string_view extension;
   std::vector<std::string> (*write)(const Scene&, const ExportFlags&);
 };
-constexpr Format kFormats[] = {{".pov", export_pov}, {".py", export_python}, {".blend", export_blend}};
+constexpr Format kFormats[] = {
+    {".pov", export_pov}, {".py", export_python}, {".blend", export_blend}};
 
 const Format& format_of(const std::string& output) {
   for (const Format& format : kFormats) {
@@ -90,10 +91,11 @@ void add_export_command(CLI::App& program) {
       ->required();
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
-  command->footer("Examples:\n"
-                  "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
-                  "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
-                  "  lumaknot export figure2 -o knot.blend      needs Blender");
+  command->footer(
+      "Examples:\n"
+      "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
+      "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
+      "  lumaknot export figure2 -o knot.blend      needs Blender");
   command->callback([flags] {
     const InterruptGuard guard;
     run(*flags);

@@ -68,9 +68,10 @@ void add_mesh_command(CLI::App& program) {
   visit_fields(visitor, flags->knot);
   command->add_option("-o,--output", flags->output, "the mesh file: .obj or .ply")->required();
   add_output_flags(*command, flags->out);
-  command->footer("Examples:\n"
-                  "  lumaknot mesh --p 2 --q 3 --segments 768 --sides 40 -o knot.obj\n"
-                  "  lumaknot mesh --p 3 --q 5 --tube 0.1 --repeat-u 16 -o knot.ply");
+  command->footer(
+      "Examples:\n"
+      "  lumaknot mesh --p 2 --q 3 --segments 768 --sides 40 -o knot.obj\n"
+      "  lumaknot mesh --p 3 --q 5 --tube 0.1 --repeat-u 16 -o knot.ply");
   command->callback([flags] { run(*flags); });
 }
 

@@ -22,11 +22,12 @@ int run_program(int argc, char** argv) {
   program.name("lumaknot");
   program.set_version_flag("--version", "lumaknot 0.1.0");
   program.require_subcommand(1);
-  program.footer("Examples:\n"
-                 "  lumaknot validate -o report/              draw Figure 2 everywhere and compare\n"
-                 "  lumaknot scene figure2 > scene.json\n"
-                 "  lumaknot render scene.json -o knot.png\n"
-                 "  lumaknot COMMAND --help                   what a command does, with examples");
+  program.footer(
+      "Examples:\n"
+      "  lumaknot validate -o report/              draw Figure 2 everywhere and compare\n"
+      "  lumaknot scene figure2 > scene.json\n"
+      "  lumaknot render scene.json -o knot.png\n"
+      "  lumaknot COMMAND --help                   what a command does, with examples");
   int exit_code = kExitAgreed;
   add_scene_command(program);
   add_mesh_command(program);

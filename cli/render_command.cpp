@@ -47,9 +47,10 @@ void add_render_command(CLI::App& program) {
   command->add_option("-o,--output", flags->output, "the image: .exr (float) or .png (16 bits)")
       ->required();
   add_output_flags(*command, flags->out);
-  command->footer("Examples:\n"
-                  "  lumaknot render scene.json -o knot.exr\n"
-                  "  lumaknot render figure1-back -o back.png");
+  command->footer(
+      "Examples:\n"
+      "  lumaknot render scene.json -o knot.exr\n"
+      "  lumaknot render figure1-back -o back.png");
   command->callback([flags] { run(*flags); });
 }
 

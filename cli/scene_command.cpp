@@ -34,14 +34,17 @@ void run(const SceneFlags& flags) {
 
 void add_scene_command(CLI::App& program) {
   auto flags = std::make_shared<SceneFlags>();
-  CLI::App* command = program.add_subcommand("scene", "Print a built-in scene, or check and complete a scene file");
-  command->add_option("scene", flags->source, "built-in scene, scene file, or - for standard input");
+  CLI::App* command =
+      program.add_subcommand("scene", "Print a built-in scene, or check and complete a scene file");
+  command->add_option("scene", flags->source,
+                      "built-in scene, scene file, or - for standard input");
   command->add_flag("--list", flags->list, "list the built-in scenes");
   command->add_flag("--schema", flags->schema, "print the JSON Schema of scene.json");
-  command->footer("Examples:\n"
-                  "  lumaknot scene figure2 > scene.json\n"
-                  "  lumaknot scene mine.json           check it and fill in the defaults\n"
-                  "  lumaknot scene --schema > scene.schema.json");
+  command->footer(
+      "Examples:\n"
+      "  lumaknot scene figure2 > scene.json\n"
+      "  lumaknot scene mine.json           check it and fill in the defaults\n"
+      "  lumaknot scene --schema > scene.schema.json");
   command->callback([flags] { run(*flags); });
 }
 

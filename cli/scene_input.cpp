@@ -27,22 +27,20 @@ struct Overloaded : Fs... {
 
 TriangleMesh load_mesh(const SceneInput& input) {
   const bool needs_uvs = !std::holds_alternative<PlainColor>(input.spec.texture);
-  return std::visit(
-      Overloaded{[](const KnotSpec& knot) { return flat_mesh(knot_mesh(knot)); },
-                 [&](const MeshFile& file) {
-                   return read_mesh(input.folder / file.path, needs_uvs, "mesh.file");
-                 }},
-      input.spec.mesh);
+  return std::visit(Overloaded{[](const KnotSpec& knot) { return flat_mesh(knot_mesh(knot)); },
+                               [&](const MeshFile& file) {
+                                 return read_mesh(input.folder / file.path, needs_uvs, "mesh.file");
+                               }},
+                    input.spec.mesh);
 }
 
 Texture load_texture(const SceneInput& input) {
-  return std::visit(
-      Overloaded{[](const Bricks&) -> Texture { return bricks(); },
-                 [](const PlainColor& color) -> Texture { return color.rgb; },
-                 [&](const TextureFile& file) -> Texture {
-                   return read_texture(input.folder / file.path, "texture.file");
-                 }},
-      input.spec.texture);
+  return std::visit(Overloaded{[](const Bricks&) -> Texture { return bricks(); },
+                               [](const PlainColor& color) -> Texture { return color.rgb; },
+                               [&](const TextureFile& file) -> Texture {
+                                 return read_texture(input.folder / file.path, "texture.file");
+                               }},
+                    input.spec.texture);
 }
 
 }  // namespace

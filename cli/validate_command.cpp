@@ -127,19 +127,24 @@ void add_validate_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("-o,--output", flags->output, "the folder for report.html and report.json")
       ->capture_default_str();
-  command->add_option("--model", flags->models, "a material to draw; may be repeated; all unless given")
+  command
+      ->add_option("--model", flags->models,
+                   "a material to draw; may be repeated; all unless given")
       ->check(CLI::IsMember(model_names()));
-  command->add_option("--renderer", flags->renderers, "a renderer to run; may be repeated; all unless given")
+  command
+      ->add_option("--renderer", flags->renderers,
+                   "a renderer to run; may be repeated; all unless given")
       ->check(CLI::IsMember(renderer_names()));
   command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
       ->capture_default_str();
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
-  command->footer("Exit code: 0 agreed, 1 differed, 2 wrong use or input, 3 nothing to compare with.\n"
-                  "Examples:\n"
-                  "  lumaknot validate -o report/\n"
-                  "  lumaknot validate scene.json --model scene --renderer povray -o report/\n"
-                  "  lumaknot validate figure1-back --blender /opt/blender-4.2/blender -o report/");
+  command->footer(
+      "Exit code: 0 agreed, 1 differed, 2 wrong use or input, 3 nothing to compare with.\n"
+      "Examples:\n"
+      "  lumaknot validate -o report/\n"
+      "  lumaknot validate scene.json --model scene --renderer povray -o report/\n"
+      "  lumaknot validate figure1-back --blender /opt/blender-4.2/blender -o report/");
   command->callback([flags, &exit_code] {
     const InterruptGuard guard;
     exit_code = run(*flags);

@@ -26,7 +26,8 @@ void append(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
-/// float32 positions (3 a vertex), normals (3), texture coordinates (2), int32 indices (3 a triangle).
+/// float32 positions (3 a vertex), normals (3), texture coordinates (2), int32 indices (3 a
+/// triangle).
 std::string mesh_bytes(const TriangleMesh& mesh) {
   std::string bytes;
   bytes.reserve(mesh.positions.size() * 32 + mesh.triangles.size() * 12);
@@ -87,11 +88,11 @@ Package blender_package(const Scene& scene, std::span<const Shot> shots, const s
       {"shots", shots_json(scene.view, shots)}};
   // JSON escapes control characters and holds no triple quote outside a string; names are checked
   // by the caller, so nothing here ends the Python literal.
-  package.push_back({name + ".py", fmt::format("# Made by lumaknot. blender --python {}.py\n"
-                                               "import json\n\n"
-                                               "PARAMETERS = json.loads(r'''{}''')\n\n{}",
-                                               name, parameters.dump(1),
-                                               embedded::blender_scene_script())});
+  package.push_back(
+      {name + ".py", fmt::format("# Made by lumaknot. blender --python {}.py\n"
+                                 "import json\n\n"
+                                 "PARAMETERS = json.loads(r'''{}''')\n\n{}",
+                                 name, parameters.dump(1), embedded::blender_scene_script())});
   return package;
 }
 

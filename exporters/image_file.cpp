@@ -84,7 +84,8 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeFloat);
   if (!output || !output->open(path.string(), spec) ||
       !output->write_image(OIIO::TypeFloat, image.pixels.data()) || !output->close()) {
-    throw Error(fmt::format("{}: {}", path.string(), output ? output->geterror() : OIIO::geterror()));
+    throw Error(
+        fmt::format("{}: {}", path.string(), output ? output->geterror() : OIIO::geterror()));
   }
 }
 
@@ -119,8 +120,8 @@ TextureImage read_texture(const std::filesystem::path& path, std::string_view la
     for (int c = 0; c < 3; ++c) {
       rgb[c] = v[is_grey ? 0 : c];
       if (!(rgb[c] >= 0 && rgb[c] <= 1)) {
-        throw std::runtime_error(fmt::format(
-            "texel ({}, {}) holds {}, outside [0, 1]", i % width, i / width, rgb[c]));
+        throw std::runtime_error(
+            fmt::format("texel ({}, {}) holds {}, outside [0, 1]", i % width, i / width, rgb[c]));
       }
       if (!is_eight_bit(rgb[c])) rgb[c] = float(quantised<std::uint16_t>(rgb[c])) / 65535.0f;
     }

@@ -22,8 +22,8 @@ std::string grey_png(const Grid<float>& values);
 /// A drawn image as the bytes of a PNG file for the eye: 8 bits, limited to [0, 1], over black.
 std::string display_png(const Image& image);
 
-/// Writes a drawn image as .exr (float32, unlimited) or .png (16 bits, limited to [0, 1]), both with
-/// the coverage as alpha. The file is there whole or not at all; `flag` names it in an Error.
+/// Writes a drawn image as .exr (float32, unlimited) or .png (16 bits, limited to [0, 1]), both
+/// with the coverage as alpha. The file is there whole or not at all; `flag` names it in an Error.
 void write_image(const std::filesystem::path& path, const Image& image, std::string_view flag);
 
 /// Throws Error, naming `flag`, unless write_image() knows the extension of `path`.

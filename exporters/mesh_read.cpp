@@ -78,21 +78,24 @@ void gather(const aiMesh& part, std::string_view label, Gatherer& gatherer) {
 
 TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::string_view label) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* file = importer.ReadFile(
       path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
                          aiProcess_PreTransformVertices);
   if (!file || file->mNumMeshes == 0) {
     throw Error(fmt::format("{} {} can't be read as a mesh: {}; known: .obj .ply .off .stl", label,
-                            path.string(), file ? "it holds no triangles" : importer.GetErrorString()));
+                            path.string(),
+                            file ? "it holds no triangles" : importer.GetErrorString()));
   }
   Gatherer gatherer;
   for (unsigned m = 0; m < file->mNumMeshes; ++m) {
     const aiMesh& part = *file->mMeshes[m];
     if (needs_uvs && !part.HasTextureCoords(0)) {
-      throw Error(fmt::format("{} {} has no texture coordinates; give it some, or set texture to a "
-                              "plain {{\"color\": [r, g, b]}}",
-                              label, path.string()));
+      throw Error(
+          fmt::format("{} {} has no texture coordinates; give it some, or set texture to a "
+                      "plain {{\"color\": [r, g, b]}}",
+                      label, path.string()));
     }
     gather(part, label, gatherer);
   }

@@ -16,8 +16,8 @@ struct PackedFile {
 /// Files that refer to each other by name and lie in one folder.
 using Package = std::vector<PackedFile>;
 
-/// Throws Error, naming `flag`, when the file name of `path` would not survive as text inside another
-/// tool's script: quotes, backslashes and control characters.
+/// Throws Error, naming `flag`, when the file name of `path` would not survive as text inside
+/// another tool's script: quotes, backslashes and control characters.
 void check_package_name(const std::filesystem::path& path, std::string_view flag);
 
 /// Writes each file whole or not at all, the last one last: it is the one that is opened.

@@ -39,10 +39,9 @@ std::string luma_pigment(const Texture& texture, const PovNames& names) {
 
 /// A layer's SDL, its weights times `scale`.
 std::string layer_text(const Layer& layer, const Material& material, double scale) {
-  return fmt::format(
-      "{} finish {{ emission {} ambient {} diffuse {} phong {} phong_size {} }}", layer.pigment,
-      layer.emission * scale, layer.ambient * scale, layer.diffuse * scale, layer.highlight * scale,
-      material.shininess);
+  return fmt::format("{} finish {{ emission {} ambient {} diffuse {} phong {} phong_size {} }}",
+                     layer.pigment, layer.emission * scale, layer.ambient * scale,
+                     layer.diffuse * scale, layer.highlight * scale, material.shininess);
 }
 
 /// The layers whose sum is the shot's colour.
@@ -54,11 +53,13 @@ std::vector<Layer> layers_of(const Scene& scene, const Shot& shot, const PovName
   if (shot.stage == Stage::kDiffuse) return {{.pigment = grey(1), .diffuse = 1}};
   if (shot.stage == Stage::kSpecular) return {{.pigment = grey(0), .highlight = 1}};
   if (m.space == Space::kRgb) {
-    return {{.pigment = texture, .ambient = ambient, .diffuse = m.diffuse, .highlight = m.specular}};
+    return {
+        {.pigment = texture, .ambient = ambient, .diffuse = m.diffuse, .highlight = m.specular}};
   }
-  std::vector<Layer> layers{
-      {.pigment = texture, .emission = 1, .highlight = m.specular},
-      {.pigment = luma_pigment(scene.texture, names), .emission = ambient - 1, .diffuse = m.diffuse}};
+  std::vector<Layer> layers{{.pigment = texture, .emission = 1, .highlight = m.specular},
+                            {.pigment = luma_pigment(scene.texture, names),
+                             .emission = ambient - 1,
+                             .diffuse = m.diffuse}};
   if (m.luma_offset != 0) layers.push_back({.pigment = grey(1), .emission = m.luma_offset});
   return layers;
 }
@@ -81,9 +82,10 @@ std::string camera_text(const View& view) {
   const CameraFrame frame = camera_frame(view.camera);
   const double height = 2 * std::tan(view.camera.fov_degrees * std::numbers::pi / 360);
   const double width = height * view.image.width / view.image.height;
-  return fmt::format("camera {{ perspective\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",
-                     vec(view.camera.position), vec(-frame.back), vec(frame.right * width),
-                     vec(frame.up * height));
+  return fmt::format(
+      "camera {{ perspective\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",
+      vec(view.camera.position), vec(-frame.back), vec(frame.right * width),
+      vec(frame.up * height));
 }
 
 /// POV-Ray draws no highlight where n.l < 0, unless the object is lit from both sides; that also

@@ -21,9 +21,10 @@ void add_ring(ClosedMesh& mesh, const Frame& frame, const KnotSpec& knot) {
     const Vec3d normal = frame.across * std::cos(theta) + frame.over * std::sin(theta);
     const Vec3d position = frame.position + normal * knot.tube_radius;
     if (!is_finite(position)) {
-      throw Error(fmt::format("the knot's lengths {}, {}, {} can't be drawn in double precision; "
-                              "bring ring, winding and tube nearer to 1",
-                              knot.ring_radius, knot.winding_radius, knot.tube_radius));
+      throw Error(
+          fmt::format("the knot's lengths {}, {}, {} can't be drawn in double precision; "
+                      "bring ring, winding and tube nearer to 1",
+                      knot.ring_radius, knot.winding_radius, knot.tube_radius));
     }
     mesh.set_normal(mesh.add_vertex(to_point(position)), to_point(normal));
   }
@@ -36,8 +37,7 @@ struct Corner {
 
 void add_triangle(ClosedMesh& mesh, const KnotSpec& knot, const std::array<Corner, 3>& corners) {
   const auto vertex = [&](Corner c) {
-    return mesh.vertex_handle(
-        unsigned((c.i % knot.segments) * knot.sides + c.j % knot.sides));
+    return mesh.vertex_handle(unsigned((c.i % knot.segments) * knot.sides + c.j % knot.sides));
   };
   const auto face = mesh.add_face(vertex(corners[0]), vertex(corners[1]), vertex(corners[2]));
   for (const auto halfedge : mesh.fh_range(face)) {

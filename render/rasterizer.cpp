@@ -44,7 +44,8 @@ std::vector<Vec3d> clipped_near(const std::array<Vec3d, 3>& corners, double near
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d &a = corners[i], &b = corners[(i + 1) % 3];
     if (a.z >= near) polygon.push_back(a);
-    if ((a.z >= near) != (b.z >= near)) polygon.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
+    if ((a.z >= near) != (b.z >= near))
+      polygon.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
   }
   return polygon;
 }

@@ -48,7 +48,8 @@ class Rasterizer {
 
   Bounds image_bounds(const Triangle& triangle) const;
   void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
-  Fragment fragment(std::uint32_t triangle, double depth, const std::array<double, 3>& weights) const;
+  Fragment fragment(std::uint32_t triangle, double depth,
+                    const std::array<double, 3>& weights) const;
 
   const TriangleMesh& mesh_;
   Projection projection_;

@@ -16,19 +16,18 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(std::string_view flag, const fs::path& path, std::string_view why) {
-  throw Error(fmt::format("{} {} can't be written: {}; choose another place", flag, path.string(),
-                          why));
+  throw Error(
+      fmt::format("{} {} can't be written: {}; choose another place", flag, path.string(), why));
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path path, std::string_view flag)
-    : path_(std::move(path)), flag_(flag) {
+AtomicFile::AtomicFile(fs::path path, std::string_view flag) : path_(std::move(path)), flag_(flag) {
   std::error_code ignored;
   if (fs::is_directory(path_, ignored)) fail(flag_, path_, "it is a folder");
   temporary_ = path_;
-  temporary_.replace_filename(fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(),
-                                          path_.extension().string()));
+  temporary_.replace_filename(
+      fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(), path_.extension().string()));
   if (!std::ofstream(temporary_, std::ios::binary)) fail(flag_, path_, std::strerror(errno));
 }
 

@@ -43,10 +43,12 @@ Vec3d texel(int x, int y) {
   const double to_side = std::min(shifted % width, width - 1 - shifted % width);
   const double to_edge = std::min(y % height, height - 1 - y % height);
   const double worn = 3 * smooth_noise(x, y, 8, 1);
-  const double brick = smoothstep(kMortar - 2, kMortar + 1, std::min(to_side, to_edge) - worn + 1.5);
+  const double brick =
+      smoothstep(kMortar - 2, kMortar + 1, std::min(to_side, to_edge) - worn + 1.5);
   const double grain = 0.7 * smooth_noise(x, y, 4, 2) + 0.3 * noise(unsigned(x), unsigned(y));
   const double tone = noise(unsigned(column) + 31u, unsigned(row) + 17u);
-  const Vec3d clay = Vec3d{0.62, 0.24, 0.16} * (0.75 + 0.4 * tone) + Vec3d{1, 0.8, 0.6} * (0.12 * (grain - 0.5));
+  const Vec3d clay =
+      Vec3d{0.62, 0.24, 0.16} * (0.75 + 0.4 * tone) + Vec3d{1, 0.8, 0.6} * (0.12 * (grain - 0.5));
   const Vec3d mortar = Vec3d{0.74, 0.71, 0.65} * (0.85 + 0.2 * grain);
   return mortar + (clay - mortar) * brick;
 }

@@ -10,8 +10,8 @@
 namespace lumaknot {
 namespace {
 
-constexpr long long kMostVertices = 20'000'000;       // about 8 GB while it is built
-constexpr long long kMostPixels = 1LL << 28;          // 4 GB of RGBA float
+constexpr long long kMostVertices = 20'000'000;  // about 8 GB while it is built
+constexpr long long kMostPixels = 1LL << 28;     // 4 GB of RGBA float
 constexpr long long kMostSamples = 1LL << 34;
 
 /// Visits a struct's fields and checks each number against its range.
@@ -36,8 +36,7 @@ void check_camera(const Camera& camera) {
   if (!(length(sight) > 0)) {
     throw Error("camera.target must differ from camera.position: the camera looks nowhere");
   }
-  if (!(length(camera.up) > 0) ||
-      !(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
+  if (!(length(camera.up) > 0) || !(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
     throw Error("camera.up must not be zero nor along the line of sight; try [0, 1, 0]");
   }
 }
@@ -55,12 +54,12 @@ void check_number(const std::string& label, double value, Bound bound) {
     throw Error(fmt::format("{} must be a finite number, got {}", label, value));
   }
   if (value < bound.min || (bound.open_min && value == bound.min)) {
-    throw Error(fmt::format("{} must be {} {}, got {}", label, bound.open_min ? ">" : ">=",
-                            bound.min, value));
+    throw Error(fmt::format("{} must be {} {}, got {}", label,
+                            bound.open_min ? ">" : ">=", bound.min, value));
   }
   if (value > bound.max || (bound.open_max && value == bound.max)) {
-    throw Error(fmt::format("{} must be {} {}, got {}", label, bound.open_max ? "<" : "<=",
-                            bound.max, value));
+    throw Error(fmt::format("{} must be {} {}, got {}", label,
+                            bound.open_max ? "<" : "<=", bound.max, value));
   }
 }
 

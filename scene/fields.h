@@ -58,8 +58,7 @@ void visit_fields(V& v, Camera& c) {
   v.vector("position", c.position, "the eye");
   v.vector("target", c.target, "what it looks at");
   v.vector("up", c.up, "upwards in the image");
-  v.number("fov_degrees", c.fov_degrees,
-           {.min = 0, .max = 180, .open_min = true, .open_max = true},
+  v.number("fov_degrees", c.fov_degrees, {.min = 0, .max = 180, .open_min = true, .open_max = true},
            "vertical field of view, degrees");
 }
 

@@ -52,7 +52,8 @@ SceneSpec figure1_specular() {
 const std::array<NamedMaterial, 3>& named_materials() {
   static const std::array<NamedMaterial, 3> kMaterials{{
       {"phong", "classical Phong, eq. 3: light acts on every channel", Material{}},
-      {"yiq-table1", "YIQ as the paper's HLSL listing: clamps, -0.1, interpolated normal", table1()},
+      {"yiq-table1", "YIQ as the paper's HLSL listing: clamps, -0.1, interpolated normal",
+       table1()},
       {"yiq-eq6", "YIQ as the paper's eq. 6-8: light acts on luma alone, no clamp", eq6()},
   }};
   return kMaterials;

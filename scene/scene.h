@@ -50,7 +50,7 @@ using TextureSpec = std::variant<Bricks, TextureFile, PlainColor>;
 struct Camera {
   Vec3d position{0.0, -3.6, 2.4};
   Vec3d target{0.0, 0.0, 0.0};
-  Vec3d up{0.0, 0.0, 1.0};   ///< not along the line of sight
+  Vec3d up{0.0, 0.0, 1.0};  ///< not along the line of sight
   double fov_degrees = 45;  ///< vertical field of view, (0, 180)
 };
 
@@ -59,10 +59,13 @@ struct PointLight {
   Vec3d position{-1.5, -3.0, 3.5};
 };
 
-enum class Model { kPhong };       ///< paper eq. 1 and 2
-enum class Space { kRgb, kYiq };   ///< where light acts: every channel (eq. 3) or luma alone (6-8)
-enum class Clamp { kFree, kTable1 };  ///< no clamp (eq. 3, 6) or Table 1's: saturate(L_D), then
-                                      ///< saturate(L_D + L_A), then the colour
+enum class Model { kPhong };      ///< paper eq. 1 and 2
+enum class Space { kRgb, kYiq };  ///< where light acts: every channel (eq. 3) or luma alone (6-8)
+enum class Clamp {
+  kFree,
+  kTable1
+};  ///< no clamp (eq. 3, 6) or Table 1's: saturate(L_D), then
+    ///< saturate(L_D + L_A), then the colour
 enum class NormalUse { kUnit, kInterpolated };  ///< renormalised a pixel, or as Table 1 uses it
 
 /// How the surface answers the light.

@@ -62,8 +62,10 @@ struct SchemaWriter {
   }
   void number(std::string_view key, double value, Bound bound, std::string_view about) {
     Json schema{{"type", "number"}, {"default", value}};
-    if (bound.min > Bound{}.min) schema[bound.open_min ? "exclusiveMinimum" : "minimum"] = bound.min;
-    if (bound.max < Bound{}.max) schema[bound.open_max ? "exclusiveMaximum" : "maximum"] = bound.max;
+    if (bound.min > Bound{}.min)
+      schema[bound.open_min ? "exclusiveMinimum" : "minimum"] = bound.min;
+    if (bound.max < Bound{}.max)
+      schema[bound.open_max ? "exclusiveMaximum" : "maximum"] = bound.max;
     put(key, about, schema);
   }
   void vector(std::string_view key, const Vec3d& value, std::string_view about) {

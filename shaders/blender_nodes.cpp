@@ -56,9 +56,9 @@ Json operation_json(const Node& node, const Indices& index) {
   Json sockets = Json::object();
   for (std::size_t i = 0; i < node.arguments.size(); ++i) {
     const Node* argument = node.arguments[i].get();
-    sockets[std::string(type.sockets[i])] =
-        argument->op == Op::kConstant ? Json{{"const", value_json(*argument)}}
-                                      : Json{{"node", index.at(argument)}};
+    sockets[std::string(type.sockets[i])] = argument->op == Op::kConstant
+                                                ? Json{{"const", value_json(*argument)}}
+                                                : Json{{"node", index.at(argument)}};
   }
   Json json{{"type", type.type}, {"output", type.output}, {"sockets", sockets}};
   if (!type.operation.empty()) json["operation"] = type.operation;

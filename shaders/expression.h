@@ -18,8 +18,16 @@ enum class Op {
   kInput,      ///< a value of the surface, by `name`
   kParameter,  ///< a number of the scene, by `name`, now `value`
   kConstant,   ///< a number of the formula
-  kAdd, kSubtract, kMultiply, kMaximum, kMinimum, kPower,
-  kScale, kDot, kUnit, kCombine
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kMaximum,
+  kMinimum,
+  kPower,
+  kScale,
+  kDot,
+  kUnit,
+  kCombine
 };
 
 /// One step of a recorded formula. Immutable; arguments are shared where the formula shares them.
@@ -27,8 +35,9 @@ struct Node {
   Op op = Op::kConstant;
   bool is_vector = false;
   std::vector<std::shared_ptr<const Node>> arguments;
-  Vec3d value;       ///< of a parameter or constant; a scalar in x
-  std::string name;  ///< of an input or parameter, or what the formula calls the value; may be empty
+  Vec3d value;  ///< of a parameter or constant; a scalar in x
+  std::string
+      name;  ///< of an input or parameter, or what the formula calls the value; may be empty
 };
 
 using NodePtr = std::shared_ptr<const Node>;
@@ -36,7 +45,8 @@ using NodePtr = std::shared_ptr<const Node>;
 /// A recorded scalar.
 struct Scalar {
   NodePtr node;
-  Scalar(double constant);  // NOLINT(google-explicit-constructor): numbers of a formula read as such
+  Scalar(
+      double constant);  // NOLINT(google-explicit-constructor): numbers of a formula read as such
   explicit Scalar(NodePtr n) : node(std::move(n)) {}
 };
 

@@ -76,8 +76,12 @@ Vec<S> stage_color(const SurfacePoint<S>& point, const Lighting<S>& lighting, co
 /// The numbers of `view`, its material replaced by the shot's.
 template <class S>
 Lighting<S> lighting_of(const View& view, const Material& material) {
-  return {constant_vec<S>(view.camera.position), constant_vec<S>(view.light.position),
-          S(view.ambient), S(material.diffuse), S(material.specular), S(material.shininess),
+  return {constant_vec<S>(view.camera.position),
+          constant_vec<S>(view.light.position),
+          S(view.ambient),
+          S(material.diffuse),
+          S(material.specular),
+          S(material.shininess),
           S(material.luma_offset)};
 }
 

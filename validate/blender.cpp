@@ -1,8 +1,9 @@
+#include "exporters/blender.h"
+
 #include <fmt/format.h>
 
 #include <thread>
 
-#include "exporters/blender.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 #include "validate/blender_run.h"
@@ -17,10 +18,10 @@ namespace fs = std::filesystem;
 class Display {
  public:
   Display(const fs::path& xvfb, const fs::path& folder)
-      : server_({{xvfb.string(), "-displayfd", "1", "-nolisten", "tcp", "-screen", "0",
-                  "640x480x24"},
-                 folder,
-                 {}}) {
+      : server_(
+            {{xvfb.string(), "-displayfd", "1", "-nolisten", "tcp", "-screen", "0", "640x480x24"},
+             folder,
+             {}}) {
     // The server prints its display's number when it is ready.
     for (int tries = 0; tries < 200 && server_.running(); ++tries) {
       const std::string log = server_.log();
@@ -126,9 +127,15 @@ class Blender final : public Renderer {
 
 std::vector<std::string> blender_command(const fs::path& program, const std::string& script,
                                          const std::vector<std::string>& script_arguments) {
-  std::vector<std::string> command{program.string(), "-b", "--factory-startup",
-                                   "--disable-autoexec", "--python-exit-code", "7",
-                                   "--python", script, "--"};
+  std::vector<std::string> command{program.string(),
+                                   "-b",
+                                   "--factory-startup",
+                                   "--disable-autoexec",
+                                   "--python-exit-code",
+                                   "7",
+                                   "--python",
+                                   script,
+                                   "--"};
   command.insert(command.end(), script_arguments.begin(), script_arguments.end());
   return command;
 }
@@ -137,16 +144,16 @@ void save_blend(const Scene& scene, const Shot& shot, const fs::path& path,
                 const Programs& programs, std::string_view flag) {
   const fs::path program = find_program(programs.blender);
   if (program.empty()) {
-    throw Error(fmt::format("{} {} needs Blender, and {} is not here; apt-get install blender, or "
-                            "export a .py",
-                            flag, path.string(), programs.blender));
+    throw Error(
+        fmt::format("{} {} needs Blender, and {} is not here; apt-get install blender, or "
+                    "export a .py",
+                    flag, path.string(), programs.blender));
   }
   const PrivateFolder folder;
   write_package(folder.path(), blender_package(scene, {&shot, 1}, "scene"), "Blender's folder");
-  const Ended ended = run({blender_command(program, "scene.py", {"--save", "scene.blend"}),
-                           folder.path(),
-                           {}},
-                          programs.time_limit);
+  const Ended ended =
+      run({blender_command(program, "scene.py", {"--save", "scene.blend"}), folder.path(), {}},
+          programs.time_limit);
   if (!ended.well()) {
     throw Error(fmt::format("{} {}: Blender {}", flag, path.string(), bad_end(ended)));
   }

@@ -11,9 +11,7 @@ namespace {
 
 double chroma(const Rgb& c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }
 
-Rgb displayed(const Rgb& c) {
-  return {saturate(c.r), saturate(c.g), saturate(c.b)};
-}
+Rgb displayed(const Rgb& c) { return {saturate(c.r), saturate(c.g), saturate(c.b)}; }
 
 /// The angle between two colours' hues in the I-Q plane, degrees in [0, 180].
 double hue_angle(const Rgb& a, const Rgb& b) {

@@ -74,7 +74,9 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
       if (!fragment.covered() || their.coverage <= 0.5f) continue;
       const bool at_silhouette = reference.silhouettes.at(x, y) != 0;
       PixelError pixel{channel_error(to_vec(ours.at(x, y).color), their.color, limited),
-                       {x, y}, !at_silhouette, false};
+                       {x, y},
+                       !at_silhouette,
+                       false};
       if (!(pixel.error <= limits.outlier)) {
         const PixelClass why = explain(reference.scene, shot, fragment, at_silhouette, their.color,
                                        limits.outlier, limited);

@@ -40,7 +40,8 @@ struct Comparison {
   bool agrees() const { return exceeded.empty(); }
 };
 
-/// `theirs` against `ours`, our own image of `shot`. With `limited`, ours is limited to [0, 1] first.
+/// `theirs` against `ours`, our own image of `shot`. With `limited`, ours is limited to [0, 1]
+/// first.
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
                    const Image& theirs, bool limited, const Limits& limits);
 

@@ -76,8 +76,8 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
   Grid<char> result(fragments.width, fragments.height);
   oneapi::tbb::parallel_for(0, fragments.height, [&](int y) {
     for (int x = 0; x < fragments.width; ++x) {
-      result.at(x, y) = fragments.at(x, y).covered() &&
-                        at_silhouette(scene, fragments, pixel_width, x, y);
+      result.at(x, y) =
+          fragments.at(x, y).covered() && at_silhouette(scene, fragments, pixel_width, x, y);
     }
   });
   return result;
@@ -95,8 +95,7 @@ PixelClass explain(const Scene& scene, const Shot& shot, const Fragment& fragmen
   const auto agrees = [&](const Vec3d& ours) {
     return channel_error(ours, theirs, limited) <= tolerance;
   };
-  const bool faces_away =
-      dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
+  const bool faces_away = dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
   Fragment turned = fragment;
   if (faces_away) turned.normal = -turned.normal;
   const bool lit = dot(turned.normal, scene.view.light.position - turned.position) > 0;

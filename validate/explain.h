@@ -9,10 +9,10 @@
 namespace lumaknot {
 
 enum class PixelClass {
-  kTurnedNormal,     ///< agrees once our normal, which faces away, is turned to the viewer
-  kGatedHighlight,   ///< agrees once our highlight is left out where n.l <= 0
-  kTexelEdge,        ///< lies among our colours within 1/100 texel
-  kSilhouette,       ///< the surface ends here, or another part of it begins
+  kTurnedNormal,    ///< agrees once our normal, which faces away, is turned to the viewer
+  kGatedHighlight,  ///< agrees once our highlight is left out where n.l <= 0
+  kTexelEdge,       ///< lies among our colours within 1/100 texel
+  kSilhouette,      ///< the surface ends here, or another part of it begins
   kUnexplained
 };
 inline constexpr std::array<std::string_view, 5> kPixelClassNames{

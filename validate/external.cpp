@@ -10,7 +10,8 @@
 namespace lumaknot {
 
 std::vector<Drawn> undrawn(std::size_t shots, Drawn::Status status, const std::string& why) {
-  return std::vector<Drawn>(shots, Drawn{.status = status, .why = why, .image = {}, .note = {}, .instead = {}});
+  return std::vector<Drawn>(
+      shots, Drawn{.status = status, .why = why, .image = {}, .note = {}, .instead = {}});
 }
 
 Drawn drawn_image(const std::filesystem::path& path, const View& view) {
@@ -20,15 +21,15 @@ Drawn drawn_image(const std::filesystem::path& path, const View& view) {
   } catch (const std::runtime_error& e) {
     return undrawn(1, Drawn::Status::kFailed, e.what()).front();
   }
-  const bool shows = std::ranges::any_of(drawn.image.pixels, [](const RgbaPixel& p) {
-    return p.coverage > 0;
-  });
+  const bool shows =
+      std::ranges::any_of(drawn.image.pixels, [](const RgbaPixel& p) { return p.coverage > 0; });
   if (!shows) return undrawn(1, Drawn::Status::kFailed, "the image is blank").front();
   const bool finite = std::ranges::all_of(drawn.image.pixels, [](const RgbaPixel& p) {
     return is_finite(to_vec(p.color)) && std::isfinite(p.coverage);
   });
   if (!finite) {
-    return undrawn(1, Drawn::Status::kFailed, "the image holds numbers that are not finite").front();
+    return undrawn(1, Drawn::Status::kFailed, "the image holds numbers that are not finite")
+        .front();
   }
   drawn.status = Drawn::Status::kDrawn;
   return drawn;

@@ -10,7 +10,7 @@ namespace lumaknot {
 /// and not at a silhouette.
 struct Limits {
   std::string_view renderer;
-  long long coverage = 0;  ///< pixels covered in one image only
+  long long coverage = 0;                          ///< pixels covered in one image only
   double mean = kNone, p999 = kNone, max = kNone;  ///< of the errors inside
   double p9999_unclassed = kNone;  ///< inside, without the outliers that have a class
   double outlier = kNone;          ///< an error beyond it needs a class

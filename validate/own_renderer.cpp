@@ -9,7 +9,9 @@ class OwnRenderer final : public Renderer {
 
   std::string name() const override { return "lumaknot"; }
 
-  Availability availability() const override { return {.found = true, .version = "0.1.0", .path = {}, .remedy = {}}; }
+  Availability availability() const override {
+    return {.found = true, .version = "0.1.0", .path = {}, .remedy = {}};
+  }
 
   Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
     const auto start = std::chrono::steady_clock::now();

@@ -137,8 +137,8 @@ class PovRay final : public Renderer {
     const PrivateFolder folder;
     write_scene(folder.path(), scene, native);
     rendering.command = arguments(program.string(), scene.view.image, native.size());
-    const Ended ended = run({rendering.command, folder.path(), {"POVINI=empty.ini"}},
-                            programs_.time_limit);
+    const Ended ended =
+        run({rendering.command, folder.path(), {"POVINI=empty.ini"}}, programs_.time_limit);
     rendering.seconds = ended.seconds;
     rendering.log = ended.log;
     const std::string banner = line_with(ended.log, kBanner);

@@ -37,22 +37,22 @@ struct EncodedPictures {
 EncodedPictures encode(const Validation& v) {
   EncodedPictures result{std::vector<std::string>(v.shots.size()),
                          {v.judgements.size(), std::vector<EncodedShot>(v.shots.size())}};
-  oneapi::tbb::parallel_for(std::size_t{0}, v.shots.size() * (v.judgements.size() + 1),
-                            [&](std::size_t job) {
-    const std::size_t shot = job % v.shots.size(), renderer = job / v.shots.size();
-    if (renderer == v.judgements.size()) {
-      result.own[shot] = base64_png(v.own.shots[shot].image);
-      return;
-    }
-    const Judgement& judgement = v.judgements[renderer];
-    const Judged& judged = judgement.shots[shot];
-    if (judged.drawn.status != Drawn::Status::kDrawn) return;
-    EncodedShot& encoded = result.others[renderer][shot];
-    encoded.png = base64_png(judged.drawn.image);
-    encoded.difference = base64_png(
-        difference(judged.ours, judged.drawn.image, judgement.rendering.limited));
-    if (judged.drawn.instead) encoded.instead = base64_png(judged.ours);
-  });
+  oneapi::tbb::parallel_for(
+      std::size_t{0}, v.shots.size() * (v.judgements.size() + 1), [&](std::size_t job) {
+        const std::size_t shot = job % v.shots.size(), renderer = job / v.shots.size();
+        if (renderer == v.judgements.size()) {
+          result.own[shot] = base64_png(v.own.shots[shot].image);
+          return;
+        }
+        const Judgement& judgement = v.judgements[renderer];
+        const Judged& judged = judgement.shots[shot];
+        if (judged.drawn.status != Drawn::Status::kDrawn) return;
+        EncodedShot& encoded = result.others[renderer][shot];
+        encoded.png = base64_png(judged.drawn.image);
+        encoded.difference =
+            base64_png(difference(judged.ours, judged.drawn.image, judgement.rendering.limited));
+        if (judged.drawn.instead) encoded.instead = base64_png(judged.ours);
+      });
   return result;
 }
 
@@ -170,8 +170,7 @@ Data own_pictures(const Validation& v, const EncodedPictures& pictures) {
   return list;
 }
 
-Data card_data(const Validation& v, const EncodedPictures& pictures, std::size_t s,
-               std::size_t r) {
+Data card_data(const Validation& v, const EncodedPictures& pictures, std::size_t s, std::size_t r) {
   const EncodedShot& encoded = pictures.others[r][s];
   Data card;
   card.set("renderer", v.judgements[r].rendering.renderer);
@@ -211,8 +210,9 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   page.set("scene", head.scene);
   page.set("command", head.command);
   page.set("verdict", std::string(verdict_name(v.verdict)));
-  page.set("verdict_class",
-           v.verdict == Verdict::kNothingToCompare ? "skipped" : std::string(verdict_name(v.verdict)));
+  page.set("verdict_class", v.verdict == Verdict::kNothingToCompare
+                                ? "skipped"
+                                : std::string(verdict_name(v.verdict)));
   page.set("seconds", fmt::format("{:.1f}", v.seconds));
   page.set("width", std::to_string(v.own.shots.front().image.width));
   page.set("height", std::to_string(v.own.shots.front().image.height));

@@ -76,8 +76,10 @@ Json renderer_json(const Validation& validation, const Judgement& judgement) {
   for (std::size_t i = 0; i < judgement.shots.size(); ++i) {
     shots.push_back(shot_json(validation.shots[i], judgement.shots[i]));
   }
-  return {{"renderer", r.renderer},   {"version", r.version},
-          {"command", r.command},     {"seconds", r.seconds},
+  return {{"renderer", r.renderer},
+          {"version", r.version},
+          {"command", r.command},
+          {"seconds", r.seconds},
           {"compared_limited_to_0_1", r.limited},
           {"limits", limits_json(limits_of(r.renderer))},
           {"shots", shots}};

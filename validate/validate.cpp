@@ -49,16 +49,13 @@ struct Ours {
   }
 };
 
-Judged judge(const Ours& ours, std::size_t index, Drawn drawn, bool limited,
-             const Limits& limits) {
+Judged judge(const Ours& ours, std::size_t index, Drawn drawn, bool limited, const Limits& limits) {
   Judged result;
   const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
   if (drawn.status == Drawn::Status::kDrawn) {
-    result.ours = drawn.instead
-                      ? shade_all(ours.reference.scene, shot, ours.reference.fragments)
-                      : ours.rendering.shots[index].image;
-    result.comparison =
-        compare(ours.reference, shot, result.ours, drawn.image, limited, limits);
+    result.ours = drawn.instead ? shade_all(ours.reference.scene, shot, ours.reference.fragments)
+                                : ours.rendering.shots[index].image;
+    result.comparison = compare(ours.reference, shot, result.ours, drawn.image, limited, limits);
     if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
   }
   result.drawn = std::move(drawn);
@@ -103,8 +100,7 @@ Scene sample_by_sample(Scene scene) {
   return scene;
 }
 
-Validation validate(const ValidationJob& job,
-                    const std::function<void(const std::string&)>& told) {
+Validation validate(const ValidationJob& job, const std::function<void(const std::string&)>& told) {
   const auto start = std::chrono::steady_clock::now();
   Validation result;
   result.shots = shots_of(job);
