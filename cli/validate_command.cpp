@@ -65,13 +65,13 @@ void make_folder(const fs::path& folder) {
 
 /// A line on what a renderer's pictures came to.
 std::string summary(const Judgement& judgement) {
-  std::vector<std::string> parts;
+  std::string line = fmt::format("{:<8} ", judgement.rendering.renderer);
   for (const Judged& shot : judgement.shots) {
-    std::string part(outcome(shot));
-    if (!shot.drawn.why.empty()) part += ": " + shot.drawn.why;
-    if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
+    if (shot.drawn.why.empty()) continue;
+    return line + fmt::format("{}: {}", outcome(shot), shot.drawn.why);
   }
-  return fmt::format("{:<8} {}", judgement.rendering.renderer, fmt::join(parts, ", "));
+  if (judgement.first_difference.empty()) return line + "agreed";
+  return line + fmt::format("differed, first in: {}", judgement.first_difference);
 }
 
 int exit_code_of(Verdict verdict) {

@@ -7,24 +7,17 @@
 namespace lumaknot {
 namespace {
 
-/// A triangle's edges as planes through the eye: the sample on the ray d lies inside when
-/// dot(planes[i], d) is positive for each; planes[i] faces corner i.
-struct Edges {
-  std::array<Vec3d, 3> planes;
-  double volume;  // of the corners' parallelepiped, positive
+/// The top-left rule: to the right of a left edge, or below a horizontal top one. Image rows run
+/// against view space's y.
+bool owns_its_samples(const Vec3d& plane) { return plane.x > 0 || (plane.x == 0 && plane.y < 0); }
 
-  bool inside(const std::array<double, 3>& values) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (values[i] < 0 || (values[i] == 0 && !owns(planes[i]))) return false;
-      if (std::isnan(values[i])) return false;
-    }
-    return true;
+bool is_inside(const Edges& edges, const std::array<double, 3>& values) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(values[i] >= 0)) return false;  // NaN is outside
+    if (values[i] == 0 && !owns_its_samples(edges.planes[i])) return false;
   }
-
-  /// The top-left rule: to the right of a left edge, or below a horizontal top one. Image rows run
-  /// against view space's y.
-  static bool owns(const Vec3d& plane) { return plane.x > 0 || (plane.x == 0 && plane.y < 0); }
-};
+  return true;
+}
 
 /// The cross product of a neighbour's edge, run the other way, is its exact negative: products and
 /// differences of doubles round symmetrically.
@@ -97,27 +90,44 @@ Grid<Fragment> Rasterizer::band(int index) const {
   return band;
 }
 
-void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const {
+Fragment Rasterizer::at(double x, double y) const {
+  const std::size_t last = bins_.size() - 1;
+  const auto& bin = bins_[std::min(last, std::size_t(std::max(0.0, y) / band_height_))];
+  Fragment seen;
+  for (const std::uint32_t triangle : bin) {
+    draw_at(triangle, edges(triangle), projection_.ray(x, y), seen);
+  }
+  return seen;
+}
+
+Edges Rasterizer::edges(std::uint32_t triangle) const {
   const Triangle& corners = mesh_.triangles[triangle];
-  const Edges edges = edges_of(view_positions_[corners[0]], view_positions_[corners[1]],
-                               view_positions_[corners[2]]);
-  if (!(edges.volume > 0)) return;  // edge on, or not finite
-  const Bounds bounds = image_bounds(corners);
+  return edges_of(view_positions_[corners[0]], view_positions_[corners[1]],
+                  view_positions_[corners[2]]);
+}
+
+void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const {
+  const Edges edges = this->edges(triangle);
+  const Bounds bounds = image_bounds(mesh_.triangles[triangle]);
   const int y0 = std::max(bounds.y0, first_row);
   const int y1 = std::min(bounds.y1, first_row + band.height);
   for (int y = y0; y < y1; ++y) {
     for (int x = bounds.x0; x < bounds.x1; ++x) {
-      const Vec3d ray = projection_.ray(x + 0.5, y + 0.5);
-      const std::array<double, 3> values{dot(edges.planes[0], ray), dot(edges.planes[1], ray),
-                                         dot(edges.planes[2], ray)};
-      if (!edges.inside(values)) continue;
-      const double sum = values[0] + values[1] + values[2];
-      const double depth = edges.volume / sum;
-      Fragment& seen = band.at(x, y - first_row);
-      if (!(depth >= near_) || (seen.covered() && depth > seen.depth)) continue;
-      seen = fragment(triangle, depth, {values[0] / sum, values[1] / sum, values[2] / sum});
+      draw_at(triangle, edges, projection_.ray(x + 0.5, y + 0.5), band.at(x, y - first_row));
     }
   }
+}
+
+void Rasterizer::draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray,
+                         Fragment& seen) const {
+  if (!(edges.volume > 0)) return;  // edge on, or not finite
+  const std::array<double, 3> values{dot(edges.planes[0], ray), dot(edges.planes[1], ray),
+                                     dot(edges.planes[2], ray)};
+  if (!is_inside(edges, values)) return;
+  const double sum = values[0] + values[1] + values[2];
+  const double depth = edges.volume / sum;
+  if (!(depth >= near_) || (seen.covered() && depth > seen.depth)) return;
+  seen = fragment(triangle, depth, {values[0] / sum, values[1] / sum, values[2] / sum});
 }
 
 Fragment Rasterizer::fragment(std::uint32_t triangle, double depth,

@@ -22,6 +22,13 @@ struct Fragment {
   bool covered() const { return triangle >= 0; }
 };
 
+/// A triangle's edges as planes through the eye: the sample on the ray d lies inside when
+/// dot(planes[i], d) is positive for each; planes[i] faces corner i.
+struct Edges {
+  std::array<Vec3d, 3> planes;
+  double volume = 0;  ///< of the corners' parallelepiped; positive, or the triangle is not drawn
+};
+
 /// A mesh prepared for drawing in bands of rows, each on its own.
 ///
 /// Homogeneous rasterisation (Olano and Greer, Triangle Scan Conversion using 2D Homogeneous
@@ -37,6 +44,10 @@ class Rasterizer {
 
   int bands() const { return int(bins_.size()); }
 
+  /// What the image point (x, y), in samples from the top left, sees; it may be any inside the
+  /// image.
+  Fragment at(double x, double y) const;
+
   /// Rows [band * band_height, ...) of the image; the last band may be lower.
   Grid<Fragment> band(int index) const;
 
@@ -48,6 +59,8 @@ class Rasterizer {
 
   Bounds image_bounds(const Triangle& triangle) const;
   void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
+  void draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray, Fragment& seen) const;
+  Edges edges(std::uint32_t triangle) const;
   Fragment fragment(std::uint32_t triangle, double depth,
                     const std::array<double, 3>& weights) const;
 

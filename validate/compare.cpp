@@ -50,7 +50,6 @@ void check(const Limits& limits, Comparison& result) {
     if (value <= limit) return;
     result.exceeded.push_back(fmt::format("{} {:.3g} > {:.3g}", what, value, limit));
   };
-  at_most("coverage", double(result.coverage_differs), double(limits.coverage));
   at_most("mean", result.mean, limits.mean);
   at_most("p99.9", result.p999, limits.p999);
   at_most("max", result.max, limits.max);
@@ -60,32 +59,57 @@ void check(const Limits& limits, Comparison& result) {
 
 }  // namespace
 
+namespace {
+
+/// Beyond as many unexplained pixels the pictures differ as a whole, and the costly search for an
+/// edge near each sample ends.
+constexpr long long kMostSearched = 1000;
+
+/// Classes an outlier and counts it.
+PixelClass count_outlier(const Reference& reference, const Shot& shot, const TheirPixel& theirs,
+                         Comparison& result) {
+  constexpr std::size_t kMostPlaces = 10;
+  const PixelClass why = explain(reference, shot, theirs);
+  ++result.outliers;
+  ++result.classes[std::size_t(why)];
+  if (why == PixelClass::kUnexplained && result.unexplained.size() < kMostPlaces) {
+    result.unexplained.push_back(theirs.place);
+  }
+  return why;
+}
+
+void count_coverage(const Reference& reference, PixelPlace place, double edge, Comparison& result) {
+  ++result.coverage_differs;
+  const bool search = result.coverage_unexplained < kMostSearched;
+  if (!search || !explains_coverage(reference, place, edge)) ++result.coverage_unexplained;
+}
+
+}  // namespace
+
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
                    const Image& theirs, bool limited, const Limits& limits) {
-  constexpr std::size_t kMostPlaces = 10;
   Comparison result;
   std::vector<PixelError> pixels;
   for (int y = 0; y < theirs.height; ++y) {
     for (int x = 0; x < theirs.width; ++x) {
-      const Fragment& fragment = reference.fragments.at(x, y);
+      const bool covered = ours.at(x, y).coverage > 0.5f;
       const RgbaPixel& their = theirs.at(x, y);
-      result.covered += fragment.covered();
-      result.coverage_differs += fragment.covered() != (their.coverage > 0.5f);
-      if (!fragment.covered() || their.coverage <= 0.5f) continue;
-      const bool at_silhouette = reference.silhouettes.at(x, y) != 0;
+      result.covered += covered;
+      if (covered != (their.coverage > 0.5f)) {
+        count_coverage(reference, {x, y}, limits.edge, result);
+        continue;
+      }
+      if (!covered) continue;
       PixelError pixel{channel_error(to_vec(ours.at(x, y).color), their.color, limited),
                        {x, y},
-                       !at_silhouette,
+                       reference.silhouettes.at(x, y) == 0,
                        false};
       if (!(pixel.error <= limits.outlier)) {
-        const PixelClass why = explain(reference.scene, shot, fragment, at_silhouette, their.color,
-                                       limits.outlier, limited);
-        ++result.outliers;
-        ++result.classes[std::size_t(why)];
+        const bool search = result.classes[std::size_t(PixelClass::kUnexplained)] < kMostSearched;
+        const PixelClass why = count_outlier(
+            reference, shot, {{x, y}, their.color, limits.outlier, limits.edge, limited, search},
+            result);
         pixel.classed = why != PixelClass::kUnexplained;
-        if (!pixel.classed && result.unexplained.size() < kMostPlaces) {
-          result.unexplained.push_back({x, y});
-        }
       }
       pixels.push_back(pixel);
     }

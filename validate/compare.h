@@ -11,23 +11,12 @@
 
 namespace lumaknot {
 
-/// A place in the image, in pixels from the top left.
-struct PixelPlace {
-  int x = 0, y = 0;
-};
-
-/// What our image says of every comparison of one scene.
-struct Reference {
-  const Scene& scene;
-  const Grid<Fragment>& fragments;
-  Grid<char> silhouettes;
-};
-
 /// How another renderer's image of a shot differs from ours. Errors are the largest difference of a
 /// pixel's three channels, inside: covered in both images and away from silhouettes.
 struct Comparison {
-  long long covered = 0;           ///< pixels covered in our image
-  long long coverage_differs = 0;  ///< pixels covered in one image only
+  long long covered = 0;               ///< pixels covered in our image
+  long long coverage_differs = 0;      ///< pixels covered in one image only
+  long long coverage_unexplained = 0;  ///< those where no edge passes by the sample
   long long inside = 0;
   double mean = 0, rmse = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
   double p9999_unclassed = 0;  ///< p99.99 of the pixels inside that are no classed outlier
@@ -35,7 +24,8 @@ struct Comparison {
   long long outliers = 0;  ///< pixels covered in both whose error exceeds the limit for one
   std::array<long long, kPixelClassNames.size()> classes{};  ///< the outliers by class
   std::vector<PixelPlace> unexplained;                       ///< the first few of them
-  std::vector<std::string> exceeded;  ///< the limits that it exceeds, one line each
+  /// The limits that it exceeds, one line each; coverage is a rung of its own.
+  std::vector<std::string> exceeded;
 
   bool agrees() const { return exceeded.empty(); }
 };

@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "render/projection.h"
 
@@ -47,8 +48,8 @@ Vec3d gated(const Scene& scene, const Shot& shot, const Fragment& fragment) {
   return shade(scene, without_highlight(shot), fragment);
 }
 
-bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment, const Rgb& theirs,
-                double tolerance) {
+bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
+                const TheirPixel& theirs) {
   const auto* texture = std::get_if<TextureImage>(&scene.texture);
   if (!texture) return false;
   constexpr double kTexels = 0.01;
@@ -62,10 +63,21 @@ bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment, 
     high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
   }
   const auto within = [&](double lowest, double highest, double value) {
-    return value >= lowest - tolerance && value <= highest + tolerance;
+    return value >= lowest - theirs.tolerance && value <= highest + theirs.tolerance;
   };
-  return within(low.x, high.x, theirs.r) && within(low.y, high.y, theirs.g) &&
-         within(low.z, high.z, theirs.b);
+  return within(low.x, high.x, theirs.color.r) && within(low.y, high.y, theirs.color.g) &&
+         within(low.z, high.z, theirs.color.b);
+}
+
+/// What the eight samples around a pixel's centre see, `edge` pixels off in x, in y or both.
+std::vector<Fragment> moved_samples(const Reference& reference, PixelPlace place, double edge) {
+  std::vector<Fragment> samples;
+  for (int k = 0; k < 9; ++k) {
+    if (k == 4) continue;  // the centre itself
+    samples.push_back(reference.rasterizer.at(place.x + 0.5 + edge * (k % 3 - 1),
+                                              place.y + 0.5 + edge * (k / 3 - 1)));
+  }
+  return samples;
 }
 
 }  // namespace
@@ -90,10 +102,17 @@ double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited) {
   return std::max({error(ours.x, theirs.r), error(ours.y, theirs.g), error(ours.z, theirs.b)});
 }
 
-PixelClass explain(const Scene& scene, const Shot& shot, const Fragment& fragment,
-                   bool at_silhouette, const Rgb& theirs, double tolerance, bool limited) {
+Reference::Reference(const Scene& s, const Grid<Fragment>& f)
+    : scene(s),
+      fragments(f),
+      silhouettes(lumaknot::silhouettes(s, f)),
+      rasterizer(s.mesh, s.view.camera, f.width, f.height, 16) {}
+
+PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
+  const Scene& scene = reference.scene;
+  const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
   const auto agrees = [&](const Vec3d& ours) {
-    return channel_error(ours, theirs, limited) <= tolerance;
+    return channel_error(ours, theirs.color, theirs.limited) <= theirs.tolerance;
   };
   const bool faces_away = dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
   Fragment turned = fragment;
@@ -103,8 +122,18 @@ PixelClass explain(const Scene& scene, const Shot& shot, const Fragment& fragmen
   if (!lit && agrees(gated(scene, shot, turned))) {
     return faces_away ? PixelClass::kTurnedNormal : PixelClass::kGatedHighlight;
   }
-  if (texel_edge(scene, shot, fragment, theirs, tolerance)) return PixelClass::kTexelEdge;
-  return at_silhouette ? PixelClass::kSilhouette : PixelClass::kUnexplained;
+  if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
+  if (!theirs.search) return PixelClass::kUnexplained;
+  const bool moves = std::ranges::any_of(
+      moved_samples(reference, theirs.place, theirs.edge),
+      [&](const Fragment& moved) { return moved.covered() && agrees(shade(scene, shot, moved)); });
+  return moves ? PixelClass::kSilhouette : PixelClass::kUnexplained;
+}
+
+bool explains_coverage(const Reference& reference, PixelPlace place, double edge) {
+  const bool covered = reference.fragments.at(place.x, place.y).covered();
+  return std::ranges::any_of(moved_samples(reference, place, edge),
+                             [&](const Fragment& moved) { return moved.covered() != covered; });
 }
 
 }  // namespace lumaknot

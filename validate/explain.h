@@ -12,7 +12,7 @@ enum class PixelClass {
   kTurnedNormal,    ///< agrees once our normal, which faces away, is turned to the viewer
   kGatedHighlight,  ///< agrees once our highlight is left out where n.l <= 0
   kTexelEdge,       ///< lies among our colours within 1/100 texel
-  kSilhouette,      ///< the surface ends here, or another part of it begins
+  kSilhouette,      ///< agrees once our sample is moved, by at most what the limits grant
   kUnexplained
 };
 inline constexpr std::array<std::string_view, 5> kPixelClassNames{
@@ -26,8 +26,36 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments);
 /// The largest difference of the three channels; with `limited`, after limiting `ours` to [0, 1].
 double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited);
 
-/// The first class that brings our colour at `fragment` within `tolerance` of `theirs`.
-PixelClass explain(const Scene& scene, const Shot& shot, const Fragment& fragment,
-                   bool at_silhouette, const Rgb& theirs, double tolerance, bool limited);
+/// What our image says of every comparison of one scene.
+struct Reference {
+  const Scene& scene;
+  const Grid<Fragment>& fragments;
+  Grid<char> silhouettes;
+  Rasterizer rasterizer;  ///< for samples off the pixels' centres
+
+  Reference(const Scene& s, const Grid<Fragment>& f);
+};
+
+/// A place in the image, in pixels from the top left.
+struct PixelPlace {
+  int x = 0, y = 0;
+};
+
+/// Another renderer's pixel and how near it must come.
+struct TheirPixel {
+  PixelPlace place;
+  Rgb color;
+  double tolerance;  ///< of a channel
+  double edge;       ///< pixels by which its sample may lie off the centre
+  bool limited;      ///< its colour was limited to [0, 1]
+  bool search;       ///< whether samples off the centre are worth their time
+};
+
+/// The first class that brings our colour of `shot` within the tolerance of theirs.
+PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs);
+
+/// Whether an edge of the surface passes so near to the pixel's centre that a sample moved by
+/// `edge` pixels is covered where the centre is not, or the other way.
+bool explains_coverage(const Reference& reference, PixelPlace place, double edge);
 
 }  // namespace lumaknot

@@ -142,7 +142,10 @@ class PovRay final : public Renderer {
     rendering.seconds = ended.seconds;
     rendering.log = ended.log;
     const std::string banner = line_with(ended.log, kBanner);
-    if (!banner.empty()) rendering.version = banner.substr(kBanner.size());
+    if (!banner.empty()) {
+      rendering.version = banner.substr(kBanner.size());
+      rendering.version.resize(std::min(rendering.version.size(), rendering.version.find(" (")));
+    }
     const std::string bad = bad_end(ended);
     std::size_t frame = 0;
     for (const Shot& shot : shots) {

@@ -23,6 +23,9 @@ std::string report_html(const Validation& validation, const ReportHead& head);
 /// "agreed", "differed", "failed" or "skipped", as both forms say it.
 std::string_view outcome(const Judged& shot);
 
+/// The same of the coverage rung.
+std::string_view coverage_outcome(const Judgement& judgement);
+
 /// "agreed", "differed" or "nothing to compare".
 std::string_view verdict_name(Verdict verdict);
 

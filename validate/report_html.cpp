@@ -1,12 +1,10 @@
 #include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
-#include "exporters/image_file.h"
 #include "validate/report.h"
 
 namespace lumaknot {
@@ -18,43 +16,7 @@ namespace {
 namespace mustache = kainjow::mustache;
 using Data = mustache::data;
 
-std::string base64_png(const Image& image) {
-  return OIIO::Strutil::base64_encode(display_png(image));
-}
-
-/// The pictures of the page, encoded.
-struct EncodedShot {
-  std::string png, difference;
-  std::string instead;  ///< ours, where the renderer drew another shot
-};
-
-struct EncodedPictures {
-  std::vector<std::string> own;                  ///< by shot
-  std::vector<std::vector<EncodedShot>> others;  ///< by renderer and shot
-};
-
-/// Encodes on all cores: this is most of the report's time.
-EncodedPictures encode(const Validation& v) {
-  EncodedPictures result{std::vector<std::string>(v.shots.size()),
-                         {v.judgements.size(), std::vector<EncodedShot>(v.shots.size())}};
-  oneapi::tbb::parallel_for(
-      std::size_t{0}, v.shots.size() * (v.judgements.size() + 1), [&](std::size_t job) {
-        const std::size_t shot = job % v.shots.size(), renderer = job / v.shots.size();
-        if (renderer == v.judgements.size()) {
-          result.own[shot] = base64_png(v.own.shots[shot].image);
-          return;
-        }
-        const Judgement& judgement = v.judgements[renderer];
-        const Judged& judged = judgement.shots[shot];
-        if (judged.drawn.status != Drawn::Status::kDrawn) return;
-        EncodedShot& encoded = result.others[renderer][shot];
-        encoded.png = base64_png(judged.drawn.image);
-        encoded.difference =
-            base64_png(difference(judged.ours, judged.drawn.image, judgement.rendering.limited));
-        if (judged.drawn.instead) encoded.instead = base64_png(judged.ours);
-      });
-  return result;
-}
+std::string base64(const std::string& bytes) { return OIIO::Strutil::base64_encode(bytes); }
 
 /// A limit on the way into text; without one, nothing.
 std::string limit_text(std::string_view name, double limit) {
@@ -62,7 +24,7 @@ std::string limit_text(std::string_view name, double limit) {
 }
 
 std::string limits_text(const Limits& l) {
-  return fmt::format("coverage ≤ {}, {}{}{}{}unexplained outliers 0. {}", l.coverage,
+  return fmt::format("edges within {:.3g} pixel, {}{}{}{}unexplained 0. {}", l.edge,
                      limit_text("mean", l.mean), limit_text("p99.9", l.p999),
                      limit_text("max", l.max),
                      limit_text("p99.99 without classed outliers", l.p9999_unclassed), l.reason);
@@ -128,8 +90,25 @@ Data renderers_data(const Validation& v) {
   return list;
 }
 
+Data coverage_row(const Judgement& judgement) {
+  Data row;
+  row.set("shot", "coverage");
+  row.set("renderer", judgement.rendering.renderer);
+  row.set("outcome", std::string(coverage_outcome(judgement)));
+  row.set("drawn", judgement.drew_any());
+  row.set("coverage", fmt::format("{} of {}", judgement.coverage_differs,
+                                  judgement.shots.front().comparison.covered));
+  if (judgement.coverage_differs > 0) {
+    row.set("details", fmt::format("{} where an edge passes by the sample, {} unexplained",
+                                   judgement.coverage_differs - judgement.coverage_unexplained,
+                                   judgement.coverage_unexplained));
+  }
+  return row;
+}
+
 Data comparison_rows(const Validation& v) {
   Data list(Data::type::list);
+  for (const Judgement& judgement : v.judgements) list.push_back(coverage_row(judgement));
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     for (const Judgement& judgement : v.judgements) {
       list.push_back(row_data(v.shots[s], judgement.rendering.renderer, judgement.shots[s]));
@@ -152,47 +131,51 @@ Data claims_rows(const Validation& v) {
   return list;
 }
 
-Data own_pictures(const Validation& v, const EncodedPictures& pictures) {
+/// The style class of our picture behind a renderer's one.
+std::string ours_key(const Validation& v, std::size_t shot, std::size_t renderer) {
+  const bool instead = !v.judgements[renderer].shots[shot].pictures.ours_instead.empty();
+  return instead ? fmt::format("{}-{}", v.shots[shot].name, renderer) : v.shots[shot].name;
+}
+
+Data own_pictures(const Validation& v) {
   Data list(Data::type::list);
   const auto add = [&](const std::string& key, const std::string& png) {
     Data picture;
     picture.set("key", key);
-    picture.set("png", png);
+    picture.set("png", base64(png));
     list.push_back(picture);
   };
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    add(v.shots[s].name, pictures.own[s]);
+    add(v.shots[s].name, v.own_pictures[s]);
     for (std::size_t r = 0; r < v.judgements.size(); ++r) {
-      const std::string& instead = pictures.others[r][s].instead;
-      if (!instead.empty()) add(fmt::format("{}-{}", v.shots[s].name, r), instead);
+      const std::string& instead = v.judgements[r].shots[s].pictures.ours_instead;
+      if (!instead.empty()) add(ours_key(v, s, r), instead);
     }
   }
   return list;
 }
 
-Data card_data(const Validation& v, const EncodedPictures& pictures, std::size_t s, std::size_t r) {
-  const EncodedShot& encoded = pictures.others[r][s];
+Data card_data(const Validation& v, std::size_t s, std::size_t r) {
+  const Judged& judged = v.judgements[r].shots[s];
   Data card;
   card.set("renderer", v.judgements[r].rendering.renderer);
-  card.set("outcome", std::string(outcome(v.judgements[r].shots[s])));
-  card.set("why", v.judgements[r].shots[s].drawn.why);
-  card.set("ours_key",
-           encoded.instead.empty() ? v.shots[s].name : fmt::format("{}-{}", v.shots[s].name, r));
-  if (!encoded.png.empty()) {
-    card.set("png", encoded.png);
-    card.set("difference", encoded.difference);
+  card.set("outcome", std::string(outcome(judged)));
+  card.set("why", judged.drawn.why);
+  card.set("ours_key", ours_key(v, s, r));
+  if (judged.drawn.status == Drawn::Status::kDrawn) {
+    card.set("png", base64(judged.pictures.theirs));
+    card.set("difference", base64(judged.pictures.difference));
+    card.set("max", fmt::format("{:.1e}", judged.comparison.max));
   }
   return card;
 }
 
-Data shots_data(const Validation& v, const EncodedPictures& pictures) {
+Data shots_data(const Validation& v) {
   Data finals(Data::type::list), stages(Data::type::list);
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     const bool final = v.shots[s].stage == Stage::kFinal;
     Data shot, cards(Data::type::list);
-    for (std::size_t r = 0; r < v.judgements.size(); ++r) {
-      cards.push_back(card_data(v, pictures, s, r));
-    }
+    for (std::size_t r = 0; r < v.judgements.size(); ++r) cards.push_back(card_data(v, s, r));
     shot.set("key", v.shots[s].name);
     shot.set("title", final ? v.shots[s].name : v.shots[s].name + " alone");
     shot.set("cards", cards);
@@ -205,7 +188,6 @@ Data shots_data(const Validation& v, const EncodedPictures& pictures) {
 }  // namespace
 
 std::string report_html(const Validation& v, const ReportHead& head) {
-  const EncodedPictures pictures = encode(v);
   Data page;
   page.set("scene", head.scene);
   page.set("command", head.command);
@@ -222,8 +204,8 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   page.set("renderers", renderers_data(v));
   page.set("rows", comparison_rows(v));
   page.set("claims", claims_rows(v));
-  page.set("own_pictures", own_pictures(v, pictures));
-  page.set("shots", shots_data(v, pictures));
+  page.set("own_pictures", own_pictures(v));
+  page.set("shots", shots_data(v));
   mustache::mustache layout{std::string(embedded::report_template())};
   return layout.render(page);
 }

@@ -23,6 +23,7 @@ Json comparison_json(const Comparison& c) {
   for (const PixelPlace& p : c.unexplained) unexplained.push_back(place_json(p));
   return {{"covered_pixels", c.covered},
           {"coverage_differs", c.coverage_differs},
+          {"coverage_unexplained", c.coverage_unexplained},
           {"inside_pixels", c.inside},
           {"mean", c.mean},
           {"rmse", c.rmse},
@@ -60,7 +61,7 @@ Json shot_json(const Shot& shot, const Judged& judged) {
 Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
 
 Json limits_json(const Limits& l) {
-  return {{"coverage_differs", l.coverage},
+  return {{"edge_pixels", l.edge},
           {"mean", limit_json(l.mean)},
           {"p99.9", limit_json(l.p999)},
           {"max", limit_json(l.max)},
@@ -68,6 +69,10 @@ Json limits_json(const Limits& l) {
           {"outlier", limit_json(l.outlier)},
           {"unexplained", 0},
           {"reason", l.reason}};
+}
+
+Json first_difference_json(const Judgement& judgement) {
+  return judgement.first_difference.empty() ? Json() : Json(judgement.first_difference);
 }
 
 Json renderer_json(const Validation& validation, const Judgement& judgement) {
@@ -82,6 +87,11 @@ Json renderer_json(const Validation& validation, const Judgement& judgement) {
           {"seconds", r.seconds},
           {"compared_limited_to_0_1", r.limited},
           {"limits", limits_json(limits_of(r.renderer))},
+          {"coverage",
+           {{"outcome", coverage_outcome(judgement)},
+            {"coverage_differs", judgement.coverage_differs},
+            {"unexplained", judgement.coverage_unexplained}}},
+          {"first_difference", first_difference_json(judgement)},
           {"shots", shots}};
 }
 
@@ -103,6 +113,11 @@ std::string_view outcome(const Judged& shot) {
   if (shot.drawn.status == Drawn::Status::kSkipped) return "skipped";
   if (shot.drawn.status == Drawn::Status::kFailed) return "failed";
   return shot.comparison.agrees() ? "agreed" : "differed";
+}
+
+std::string_view coverage_outcome(const Judgement& judgement) {
+  if (!judgement.drew_any()) return outcome(judgement.shots.front());
+  return judgement.coverage_unexplained == 0 ? "agreed" : "differed";
 }
 
 std::string_view verdict_name(Verdict verdict) {

@@ -7,6 +7,8 @@
 #include <future>
 #include <mutex>
 
+#include "exporters/image_file.h"
+
 namespace lumaknot {
 namespace {
 
@@ -51,15 +53,34 @@ struct Ours {
 
 Judged judge(const Ours& ours, std::size_t index, Drawn drawn, bool limited, const Limits& limits) {
   Judged result;
-  const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
   if (drawn.status == Drawn::Status::kDrawn) {
-    result.ours = drawn.instead ? shade_all(ours.reference.scene, shot, ours.reference.fragments)
-                                : ours.rendering.shots[index].image;
-    result.comparison = compare(ours.reference, shot, result.ours, drawn.image, limited, limits);
+    const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
+    Image nearest;
+    if (drawn.instead) {
+      nearest = shade_all(ours.reference.scene, shot, ours.reference.fragments);
+      result.pictures.ours_instead = display_png(nearest);
+    }
+    const Image& mine = drawn.instead ? nearest : ours.rendering.shots[index].image;
+    result.comparison = compare(ours.reference, shot, mine, drawn.image, limited, limits);
     if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
+    result.pictures.theirs = display_png(drawn.image);
+    result.pictures.difference = display_png(difference(mine, drawn.image, limited));
+    drawn.image = {};
   }
   result.drawn = std::move(drawn);
   return result;
+}
+
+/// Coverage is the first rung; the others follow in the shots' order.
+std::string first_difference(const std::vector<Shot>& shots, const Judgement& judgement) {
+  if (judgement.coverage_unexplained > 0) return "coverage";
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Judged& judged = judgement.shots[i];
+    if (judged.drawn.status == Drawn::Status::kDrawn && !judged.comparison.agrees()) {
+      return shots[i].name;
+    }
+  }
+  return {};
 }
 
 Judgement judge_all(const Ours& ours, Rendering rendering) {
@@ -68,25 +89,52 @@ Judgement judge_all(const Ours& ours, Rendering rendering) {
   for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
     judgement.shots.push_back(
         judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits));
+    const Comparison& c = judgement.shots.back().comparison;
+    judgement.coverage_differs = std::max(judgement.coverage_differs, c.coverage_differs);
+    judgement.coverage_unexplained =
+        std::max(judgement.coverage_unexplained, c.coverage_unexplained);
   }
   rendering.shots.clear();
   judgement.rendering = std::move(rendering);
+  judgement.first_difference = first_difference(ours.shots, judgement);
   return judgement;
 }
 
 Verdict verdict_of(const std::vector<Judgement>& judgements) {
   bool compared = false, differs = false;
   for (const Judgement& judgement : judgements) {
+    compared |= judgement.drew_any();
+    differs |= !judgement.first_difference.empty();
     for (const Judged& shot : judgement.shots) {
-      compared |= shot.drawn.status == Drawn::Status::kDrawn;
-      differs |= shot.drawn.status == Drawn::Status::kFailed || !shot.comparison.agrees();
+      differs |= shot.drawn.status == Drawn::Status::kFailed;
     }
   }
   if (differs) return Verdict::kDiffered;
   return compared ? Verdict::kAgreed : Verdict::kNothingToCompare;
 }
 
+/// The renderers that the job asks for.
+std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job) {
+  auto all = all_renderers(job.programs);
+  std::erase_if(all, [&](const auto& renderer) {
+    return !job.renderers.empty() &&
+           std::ranges::count(job.renderers, lower_case(renderer->name())) == 0;
+  });
+  return all;
+}
+
+Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fragment>& fragments,
+               Rendering& rendering) {
+  rendering = own_renderer(fragments)->draw(scene, shots);
+  return {Reference(scene, fragments), shots, rendering};
+}
+
 }  // namespace
+
+bool Judgement::drew_any() const {
+  return std::ranges::any_of(
+      shots, [](const Judged& shot) { return shot.drawn.status == Drawn::Status::kDrawn; });
+}
 
 std::vector<std::string> renderer_names() {
   std::vector<std::string> names;
@@ -106,30 +154,32 @@ Validation validate(const ValidationJob& job, const std::function<void(const std
   result.shots = shots_of(job);
   const Scene& scene = job.scene;
 
-  // The others first: they take longest.
-  const auto renderers = all_renderers(job.programs);
-  std::vector<std::future<Rendering>> drawing;
+  // The other programs first: they take longest, and we are done before they are.
+  const auto renderers = wanted_renderers(job);
+  std::promise<const Ours*> promise;
+  const std::shared_future<const Ours*> ours_drawn = promise.get_future().share();
   std::mutex telling;
+  std::vector<std::future<Judgement>> tasks;
   for (const auto& renderer : renderers) {
-    const bool wanted = job.renderers.empty() ||
-                        std::ranges::count(job.renderers, lower_case(renderer->name())) > 0;
-    if (!wanted) continue;
-    drawing.push_back(std::async(std::launch::async, [&] {
+    tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
+      Judgement judgement = judge_all(*ours_drawn.get(), std::move(rendering));
       const std::lock_guard lock(telling);
-      if (told) told(fmt::format("{}: {:.1f} s", rendering.renderer, rendering.seconds));
-      return rendering;
+      if (told) told(fmt::format("{}: {:.1f} s", renderer->name(), judgement.rendering.seconds));
+      return judgement;
     }));
   }
 
   const Grid<Fragment> fragments = visible_fragments(scene);
-  result.own = own_renderer(fragments)->draw(scene, result.shots);
-  const Ours ours{{scene, fragments, silhouettes(scene, fragments)}, result.shots, result.own};
+  const Ours ours = draw_ours(scene, result.shots, fragments, result.own);
+  promise.set_value(&ours);
   for (std::size_t i = 0; i < result.shots.size(); ++i) {
     const bool final = result.shots[i].stage == Stage::kFinal;
-    result.own_claims.push_back(final ? ours.claims(result.own.shots[i].image) : Claims{});
+    const Image& image = result.own.shots[i].image;
+    result.own_claims.push_back(final ? ours.claims(image) : Claims{});
+    result.own_pictures.push_back(display_png(image));
   }
-  for (auto& rendering : drawing) result.judgements.push_back(judge_all(ours, rendering.get()));
+  for (auto& task : tasks) result.judgements.push_back(task.get());
   result.verdict = verdict_of(result.judgements);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = elapsed.count();

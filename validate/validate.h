@@ -19,18 +19,29 @@ struct ValidationJob {
   Programs programs;
 };
 
+/// PNG files for the report, made while other renderers still draw.
+struct Pictures {
+  std::string theirs, difference;
+  std::string ours_instead;  ///< our picture of the shot drawn in place of the one asked for
+};
+
 /// One renderer's picture of one shot, judged.
 struct Judged {
-  Drawn drawn;
-  Image ours;             ///< our picture of what it drew
+  Drawn drawn;            ///< its image released
   Comparison comparison;  ///< when it was drawn
   Claims claims;          ///< of final shots that were drawn
+  Pictures pictures;      ///< when it was drawn
 };
 
 /// One renderer's part of the result. `shots` are in the order of Validation::shots.
 struct Judgement {
   Rendering rendering;  ///< its shots moved to `shots`
   std::vector<Judged> shots;
+  long long coverage_differs = 0;      ///< the most of any shot: the first rung
+  long long coverage_unexplained = 0;  ///< of those
+  std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
+
+  bool drew_any() const;
 };
 
 enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
@@ -38,9 +49,10 @@ enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
 struct Validation {
   std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
   Rendering own;
-  std::vector<Claims> own_claims;     ///< of the final shots
-  std::vector<Judgement> judgements;  ///< one a renderer
-  double seconds = 0;                 ///< wall time of everything up to here
+  std::vector<Claims> own_claims;         ///< of the final shots
+  std::vector<std::string> own_pictures;  ///< PNG files, a shot each
+  std::vector<Judgement> judgements;      ///< one a renderer
+  double seconds = 0;                     ///< wall time of everything up to here
   Verdict verdict = Verdict::kNothingToCompare;
 };
 

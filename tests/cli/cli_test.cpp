@@ -1,0 +1,200 @@
+// The program as a user meets it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "scene/atomic_file.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Program : public ::testing::Test {
+ protected:
+  Ended lumaknot(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
+    fs::remove(folder_.path() / "lumaknot.log");
+    return run({arguments, folder_.path(), {}}, std::chrono::seconds(60));
+  }
+  /// Expects exit code 2 and one line that holds `part`.
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
+    const Ended ended = lumaknot(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << ended.log;
+    EXPECT_THAT(ended.log, AllOf(StartsWith("lumaknot: "), HasSubstr(part)));
+    EXPECT_EQ(std::ranges::count(ended.log, '\n'), 1) << ended.log;
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(path(name)) << text;
+  }
+  std::string read(const std::string& name) { return read_file(path(name), name); }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
+  /// Everything in the folder but the program's log.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      const std::string name = entry.path().filename().string();
+      if (name != "lumaknot.log") names.push_back(name);
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+
+  PrivateFolder folder_;
+};
+
+TEST_F(Program, every_command_has_help_with_an_example) {
+  for (const std::string command :
+       {"scene", "mesh", "render", "export", "validate", "doctor", "completion"}) {
+    const Ended ended = lumaknot({command, "--help"});
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_THAT(ended.log, AllOf(HasSubstr("Example"), HasSubstr("lumaknot " + command)));
+  }
+}
+
+TEST_F(Program, no_or_an_unknown_command_is_refused) {
+  expect_refused({}, "subcommand");
+  expect_refused({"reder"}, "reder");
+  expect_refused({"render", "figure2"}, "--output");
+}
+
+TEST_F(Program, a_built_in_scene_is_printed_and_reads_back_as_itself) {
+  const std::string first = lumaknot({"scene", "figure2"}).log;
+  write("scene.json", first);
+  EXPECT_EQ(lumaknot({"scene", "scene.json"}).log, first);
+}
+
+TEST_F(Program, bad_scenes_are_refused_by_path_value_and_remedy) {
+  const auto refused = [this](const std::string& json, const std::string& part) {
+    write("scene.json", json);
+    expect_refused({"render", "scene.json", "-o", "out.png"}, part);
+    EXPECT_FALSE(fs::exists(path("out.png")));
+  };
+  refused(R"({"mesh": {"knot": {"tube": -1}}})", "mesh.knot.tube must be > 0, got -1");
+  refused(R"({"mesh": {"knot": {"tube": 0}}})", "mesh.knot.tube must be > 0, got 0");
+  refused(R"({"mesh": {"knot": {"segments": 2}}})", "mesh.knot.segments");
+  refused(R"({"mesh": {"knot": {"sides": "40"}}})",
+          "mesh.knot.sides must be an integer, got \"40\"");
+  refused(R"({"light": {"position": [1, 2]}})", "light.position must be three numbers");
+  refused(R"({"ambient": 1e999})", "scene.json is not JSON");
+  refused(R"({"camera": {"fov": 40}})", "camera.fov is not a known key");
+  refused(R"({"texture": {"file": "none.png"}})", "texture.file");
+  refused(R"({"mesh": {"file": "none.obj"}})", "mesh.file");
+  refused("{", "scene.json is not JSON");
+  write("none.png", "not an image");
+  refused(R"({"texture": {"file": "none.png"}})", "none.png");
+  write("none.obj", "not a mesh");
+  refused(R"({"mesh": {"file": "none.obj"}})", "none.obj");
+}
+
+TEST_F(Program, outputs_that_can_not_be_written_are_refused_before_the_work) {
+  expect_refused({"render", "figure2", "-o", "out.jpg"}, "--output out.jpg must end in");
+  expect_refused({"render", "figure2", "-o", "no/such/folder/out.png"}, "--output");
+  expect_refused({"mesh", "-o", "knot.stp"}, "--output knot.stp must end in");
+  expect_refused({"mesh", "--tube", "-1", "-o", "knot.obj"}, "--tube must be > 0, got -1");
+  expect_refused({"mesh", "--tube", "nan", "-o", "knot.obj"}, "--tube must be a finite number");
+  expect_refused({"mesh", "--p", "4", "--q", "6", "-o", "knot.obj"}, "coprime");
+  expect_refused({"mesh", "--segments", "9000000", "--sides", "90000", "-o", "knot.obj"},
+                 "--segments x --sides");
+  expect_refused({"export", "figure2", "-o", "knot.fbx"}, "--output knot.fbx must end in");
+  expect_refused({"export", "figure2", "-o", "it's.py"}, "quotes");
+  write("report", "a file in the way");
+  expect_refused({"validate", "figure2", "-o", "report"}, "--output report");
+  EXPECT_EQ(read("report"), "a file in the way");
+}
+
+TEST_F(Program, what_stood_there_survives_a_failure) {
+  write("out.png", "precious");
+  write("scene.json", R"({"texture": {"file": "none.png"}})");
+  expect_refused({"render", "scene.json", "-o", "out.png"}, "texture.file");
+  EXPECT_EQ(read("out.png"), "precious");
+  EXPECT_EQ(files(), (std::vector<std::string>{"out.png", "scene.json"})) << "no partial file";
+}
+
+TEST_F(Program, the_same_input_gives_the_same_bytes) {
+  for (const std::string name : {"knot.obj", "knot.ply"}) {
+    lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", name, "--quiet"});
+    const std::string first = read(name);
+    lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", name, "--quiet"});
+    EXPECT_EQ(read(name), first);
+  }
+  for (const std::string name : {"knot.exr", "knot.png", "knot.pov", "knot.py"}) {
+    const std::string command = name.ends_with("r") || name.ends_with("g") ? "render" : "export";
+    ASSERT_EQ(lumaknot({command, "figure1-back", "-o", name}).exit_code, 0);
+    const std::string first = read(name);
+    lumaknot({command, "figure1-back", "-o", name});
+    EXPECT_EQ(read(name), first) << name;
+    EXPECT_EQ(first.find(folder_.path().string()), std::string::npos) << "a path of this machine";
+  }
+}
+
+TEST_F(Program, quiet_says_nothing_and_json_is_json) {
+  EXPECT_EQ(lumaknot({"render", "figure2", "-o", "a.png", "--quiet"}).log, "");
+  const auto json = nlohmann::json::parse(lumaknot({"mesh", "-o", "k.obj", "--json"}).log);
+  EXPECT_EQ(json["vertices"], 31529);
+  EXPECT_EQ(json["triangles"], 61440);
+}
+
+TEST_F(Program, files_of_a_scene_are_looked_for_beside_it) {
+  fs::create_directory(path("sub"));
+  ASSERT_EQ(lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", "sub/k.obj"}).exit_code, 0);
+  write("sub/scene.json", R"({"mesh": {"file": "k.obj"}, "texture": {"color": [0.5, 0.5, 0.9]}})");
+  const Ended ended = lumaknot({"render", "sub/scene.json", "-o", "out.png"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+}
+
+TEST_F(Program, validate_without_renderers_says_so_in_its_exit_code_and_report) {
+  const std::string none = "/nonexistent/program";
+  const Ended ended =
+      lumaknot({"validate", "figure2", "--povray", none, "--blender", none, "-o", "r"});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.log, HasSubstr("skipped: /nonexistent/program is not here"));
+  EXPECT_EQ(nlohmann::json::parse(read("r/report.json"))["verdict"], "nothing to compare");
+}
+
+TEST_F(Program, doctor_tells_how_to_get_what_is_missing) {
+  const std::string none = "/nonexistent/program";
+  const Ended ended = lumaknot({"doctor", "--povray", none, "--blender", none});
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.log,
+              AllOf(HasSubstr("apt-get install povray"), HasSubstr("apt-get install blender")));
+}
+
+TEST_F(Program, completion_knows_every_command) {
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    const Ended ended = lumaknot({"completion", shell});
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_THAT(ended.log, AllOf(HasSubstr("validate"), HasSubstr("repeat-u")));
+  }
+}
+
+TEST_F(Program, published_schema_accepts_the_built_in_scenes_and_refuses_what_we_refuse) {
+  write("schema.json", lumaknot({"scene", "--schema"}).log);
+  for (const std::string name : {"figure1-front", "figure1-back", "figure1-specular", "figure2"}) {
+    write(name + ".json", lumaknot({"scene", name}).log);
+  }
+  write("bad.json", R"({"mesh": {"knot": {"tube": 0}}})");
+  write("worse.json", R"({"mesh": {"knot": {}, "file": "a.obj"}})");
+  write("validate.py", R"(
+import json, jsonschema
+schema = json.load(open("schema.json"))
+jsonschema.Draft202012Validator.check_schema(schema)
+check = jsonschema.Draft202012Validator(schema).is_valid
+for name in ["figure1-front", "figure1-back", "figure1-specular", "figure2"]:
+    assert check(json.load(open(name + ".json"))), name
+for name in ["bad", "worse"]:
+    assert not check(json.load(open(name + ".json"))), name
+)");
+  const Ended ended =
+      run({{"/usr/bin/python3", "validate.py"}, folder_.path(), {}}, std::chrono::seconds(60));
+  EXPECT_TRUE(ended.well()) << ended.log;
+}
+
+}  // namespace
+}  // namespace lumaknot

@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "meshgen/curve.h"
+#include "meshgen/knot_mesh.h"
+#include "meshgen/measure.h"
+#include "scene/error.h"
+
+namespace lumaknot {
+namespace {
+
+KnotSpec scaled_knot(double scale) {
+  KnotSpec knot;
+  knot.ring_radius *= scale;
+  knot.winding_radius *= scale;
+  knot.tube_radius *= scale;
+  knot.segments = 120;
+  knot.sides = 12;
+  return knot;
+}
+
+TEST(ExtremeLengths, a_knot_of_another_size_is_the_same_knot) {
+  const TriangleMesh reference = flat_mesh(knot_mesh(scaled_knot(1)));
+  for (const double scale : {1e-30, 1e-3, 1e6, 1e30}) {
+    const TriangleMesh mesh = flat_mesh(knot_mesh(scaled_knot(scale)));
+    ASSERT_EQ(mesh.positions.size(), reference.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      // Rounding, which adds up over 120 steps of the frame.
+      ASSERT_LT(length(mesh.positions[i] / scale - reference.positions[i]), 1e-12) << scale;
+      ASSERT_LT(length(mesh.normals[i] - reference.normals[i]), 1e-12) << scale;
+    }
+  }
+}
+
+TEST(ExtremeLengths, what_is_built_has_unit_normals_and_what_is_not_is_an_error) {
+  for (int exponent = -320; exponent <= 308; exponent += 4) {
+    const double scale = std::pow(10.0, exponent);
+    if (!(scaled_knot(scale).tube_radius > 0)) continue;
+    try {
+      const ClosedMesh mesh = knot_mesh(scaled_knot(scale));
+      for (const auto v : mesh.vertices()) {
+        ASSERT_NEAR(mesh.normal(v).norm(), 1, 1e-9) << "lengths of about 1e" << exponent;
+      }
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("nearer to 1"));
+    }
+  }
+}
+
+TEST(ExtremeLengths, beyond_double_precision_is_an_error_that_quotes_them) {
+  for (const double scale : {1e300, 1e-300}) {
+    try {
+      knot_mesh(scaled_knot(scale));
+      ADD_FAILURE() << "a knot of size " << scale << " was built";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(scale > 1 ? "e+300" : "e-300"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("nearer to 1"));
+    }
+  }
+}
+
+TEST(ExtremeLengths, one_huge_length_among_ordinary_ones_is_drawn_or_refused) {
+  for (double KnotSpec::*field :
+       {&KnotSpec::ring_radius, &KnotSpec::winding_radius, &KnotSpec::tube_radius}) {
+    for (const double value : {1e200, 1e300}) {
+      KnotSpec knot = scaled_knot(1);
+      knot.*field = value;
+      try {
+        const ClosedMesh mesh = knot_mesh(knot);
+        for (const auto v : mesh.vertices()) ASSERT_NEAR(mesh.normal(v).norm(), 1, 1e-9) << value;
+      } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("nearer to 1"));
+      }
+    }
+  }
+}
+
+TEST(ExtremeLengths, a_tube_too_thin_for_the_ring_is_drawn_or_refused) {
+  for (const double tube : {1e-12, 1e-18, 1e-300}) {
+    KnotSpec knot = scaled_knot(1);
+    knot.tube_radius = tube;
+    try {
+      // Whatever is returned must enclose something: a tube whose rings collapse is no surface.
+      EXPECT_GT(volume(knot_mesh(knot)), 0) << tube;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("nearer to 1"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lumaknot

@@ -1,0 +1,88 @@
+// What `lumaknot export` writes, run as a user would run it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "exporters/image_file.h"
+#include "exporters/pov.h"
+#include "meshgen/knot_mesh.h"
+#include "render/render.h"
+#include "scene/atomic_file.h"
+#include "scene/bricks.h"
+#include "scene/presets.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+Ended lumaknot_run(const PrivateFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
+  return run({arguments, folder.path(), {}}, std::chrono::seconds(120));
+}
+
+double mean_error(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    sum += length(to_vec(a.pixels[i].color) - to_vec(b.pixels[i].color));
+  }
+  return sum / double(a.pixels.size());
+}
+
+Image own_figure2() {
+  const SceneSpec spec = *builtin_scene("figure2");
+  return render({flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view});
+}
+
+TEST(Export, pov_scene_renders_as_it_stands) {
+  const PrivateFolder folder;
+  ASSERT_EQ(lumaknot_run(folder, {"export", "figure2", "-o", "knot.pov"}).exit_code, 0);
+  const Ended ended = run({{find_program("povray").string(), "+Iknot.pov", "+Oknot.png", "+W720",
+                            "+H720", "-A", "+UA", "+FN16", "File_Gamma=1.0", "-D"},
+                           folder.path(),
+                           {}},
+                          std::chrono::seconds(120));
+  ASSERT_TRUE(ended.well()) << ended.log;
+  EXPECT_THAT(ended.log, ::testing::Not(::testing::HasSubstr("Warning")));
+  // Colours above 1 are cut in the PNG only; highlights are small.
+  EXPECT_LT(mean_error(read_image(folder.path() / "knot.png", 720, 720), own_figure2()), 1e-3);
+}
+
+TEST(Export, blender_script_renders_as_it_stands) {
+  const PrivateFolder folder;
+  ASSERT_EQ(lumaknot_run(folder, {"export", "figure2", "-o", "knot.py"}).exit_code, 0);
+  const Ended ended =
+      run({{find_program("blender").string(), "-b", "--factory-startup", "--python-exit-code", "7",
+            "--python", "knot.py", "--", "--render", "final=knot.exr"},
+           folder.path(),
+           {}},
+          std::chrono::seconds(120));
+  ASSERT_TRUE(ended.well()) << ended.log;
+  EXPECT_LT(mean_error(read_image(folder.path() / "knot.exr", 720, 720), own_figure2()), 1e-4);
+}
+
+TEST(Export, blend_file_renders_alone_and_holds_no_path_of_this_machine) {
+  const PrivateFolder folder;
+  const Ended exported = lumaknot_run(folder, {"export", "figure2", "-o", "knot.blend"});
+  ASSERT_EQ(exported.exit_code, 0) << exported.log;
+  const Ended ended = run({{find_program("blender").string(), "-b", "knot.blend", "-o",
+                            (folder.path() / "frame").string(), "-F", "OPEN_EXR", "-f", "1"},
+                           folder.path(),
+                           {}},
+                          std::chrono::seconds(120));
+  ASSERT_TRUE(ended.well()) << ended.log;
+  // The scene itself leaves file extensions off: frame0001.
+  EXPECT_LT(mean_error(read_image(folder.path() / "frame0001", 720, 720), own_figure2()), 1e-4);
+}
+
+TEST(Doctor, finds_the_renderers_and_their_versions) {
+  const PrivateFolder folder;
+  const Ended ended = lumaknot_run(folder, {"doctor"});
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.log, ::testing::ContainsRegex("Cycles +found +Blender [0-9]"));
+  EXPECT_THAT(ended.log, ::testing::ContainsRegex("POV-Ray +found +POV-Ray [0-9]"));
+}
+
+}  // namespace
+}  // namespace lumaknot
