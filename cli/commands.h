@@ -8,7 +8,7 @@ class App;
 namespace lumaknot {
 
 inline constexpr int kExitAgreed = 0, kExitDiffered = 1, kExitWrongUse = 2,
-                     kExitNothingToCompare = 3;
+                     kExitNothingToCompare = 3, kExitInterrupted = 130;
 
 struct Programs;
 

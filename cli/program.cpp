@@ -6,12 +6,14 @@
 
 #include "cli/commands.h"
 #include "scene/error.h"
+#include "validate/process.h"
 
 namespace lumaknot {
 namespace {
 
 void tell(std::string message) {
-  std::ranges::replace(message, '\n', ' ');
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot: {}\n", message);
 }
 
@@ -21,7 +23,7 @@ int run_program(int argc, char** argv) {
   CLI::App program{"Torus-knot test meshes, luma lighting, and proof that renderers agree."};
   program.name("lumaknot");
   program.set_version_flag("--version", "lumaknot 0.1.0");
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);  // none is told below, an unknown one as such
   program.footer(
       "Examples:\n"
       "  lumaknot validate -o report/              draw Figure 2 everywhere and compare\n"
@@ -38,12 +40,16 @@ int run_program(int argc, char** argv) {
   add_completion_command(program);
   try {
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) throw Error("a command is needed; see lumaknot --help");
     return exit_code;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
     tell(fmt::format("{}; see lumaknot --help", e.what()));
   } catch (const Error& e) {
     tell(e.what());
+  } catch (const Interrupted& e) {
+    tell(e.what());
+    return kExitInterrupted;
   } catch (const std::bad_alloc&) {
     tell("out of memory; lower segments, sides, width, height or samples");
   } catch (const std::exception& e) {

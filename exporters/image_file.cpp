@@ -82,6 +82,7 @@ std::vector<Integer> interleaved(const TextureImage& texture) {
 void write_exr(const std::filesystem::path& path, const Image& image) {
   auto output = OIIO::ImageOutput::create(path.string());
   OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeFloat);
+  spec["DateTime"] = "1970:01:01 00:00:00";  // else the writer puts the present moment
   if (!output || !output->open(path.string(), spec) ||
       !output->write_image(OIIO::TypeFloat, image.pixels.data()) || !output->close()) {
     throw Error(
@@ -182,10 +183,12 @@ Image read_image(const std::filesystem::path& path, int width, int height) {
                                          spec.nchannels, width, height));
   }
   const std::vector<float> values = read_floats(*input);
+  const bool unassociated = std::string_view(input->format_name()) == "png";
   Image image(width, height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float* v = &values[4 * i];
-    image.pixels[i] = {{v[0], v[1], v[2]}, v[3]};
+    const float scale = unassociated ? v[3] : 1;
+    image.pixels[i] = {{v[0] * scale, v[1] * scale, v[2] * scale}, v[3]};
   }
   return image;
 }

@@ -3,10 +3,14 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <map>
 
 #include "exporters/mesh_file.h"
+#include "scene/atomic_file.h"
 #include "scene/error.h"
 
 namespace lumaknot {
@@ -64,6 +68,9 @@ bool is_finite(const Vertex& v) {
 void gather(const aiMesh& part, std::string_view label, Gatherer& gatherer) {
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const unsigned* corner = part.mFaces[f].mIndices;
+    if (std::max({corner[0], corner[1], corner[2]}) >= part.mNumVertices) {
+      throw Error(fmt::format("{} has a face with a vertex that it does not hold", label));
+    }
     const std::array<Vertex, 3> corners{vertex_of(part, corner[0]), vertex_of(part, corner[1]),
                                         vertex_of(part, corner[2])};
     for (const Vertex& v : corners) {
@@ -74,15 +81,32 @@ void gather(const aiMesh& part, std::string_view label, Gatherer& gatherer) {
   }
 }
 
+/// Assimp guesses formats from contents, and reads a PLY header without an end for ever.
+void check_readable(const std::filesystem::path& path, std::string_view label) {
+  constexpr std::array kExtensions{".obj", ".ply", ".off", ".stl"};
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return char(std::tolower(c)); });
+  if (std::ranges::find(kExtensions, extension) == kExtensions.end()) {
+    throw Error(fmt::format("{} {} must end in .obj, .ply, .off or .stl", label, path.string()));
+  }
+  const std::string text = read_file(path, label);
+  if (extension == ".ply" && text.find("end_header") == text.npos) {
+    throw Error(fmt::format("{} {} has no end_header: it is no PLY file, or cut short", label,
+                            path.string()));
+  }
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::string_view label) {
+  check_readable(path, label);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* file = importer.ReadFile(
       path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                         aiProcess_PreTransformVertices);
+                         aiProcess_ValidateDataStructure | aiProcess_PreTransformVertices);
   if (!file || file->mNumMeshes == 0) {
     throw Error(fmt::format("{} {} can't be read as a mesh: {}; known: .obj .ply .off .stl", label,
                             path.string(),
@@ -97,7 +121,7 @@ TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::s
                       "plain {{\"color\": [r, g, b]}}",
                       label, path.string()));
     }
-    gather(part, label, gatherer);
+    gather(part, fmt::format("{} {}", label, path.string()), gatherer);
   }
   return gatherer.take();
 }

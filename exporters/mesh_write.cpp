@@ -14,11 +14,12 @@ namespace lumaknot {
 namespace {
 
 struct FlatTraits : OpenMesh::DefaultTraitsDouble {
+  using TexCoord2D = OpenMesh::Vec2d;
   VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::TexCoord2D);
 };
 using FlatMesh = OpenMesh::TriMesh_ArrayKernelT<FlatTraits>;
 
-FlatMesh to_open_mesh(const TriangleMesh& mesh) {
+FlatMesh to_open_mesh(const TriangleMesh& mesh, std::string_view flag) {
   FlatMesh result;
   result.reserve(mesh.positions.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -30,6 +31,12 @@ FlatMesh to_open_mesh(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     result.add_face(FlatMesh::VertexHandle(int(t[0])), FlatMesh::VertexHandle(int(t[1])),
                     FlatMesh::VertexHandle(int(t[2])));
+  }
+  if (result.n_faces() != mesh.triangles.size()) {
+    throw Error(
+        fmt::format("{}: {} of {} triangles meet more than one other at an edge, which OBJ "
+                    "and PLY files are not written with",
+                    flag, mesh.triangles.size() - result.n_faces(), mesh.triangles.size()));
   }
   return result;
 }
@@ -47,12 +54,13 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   check_mesh_extension(path, flag);
   constexpr int kDigits = 9;  // enough to tell every float32 from its neighbours
   omlog().disable();
+  omerr().disable();
   AtomicFile file(path, flag);
   std::ofstream stream(file.temporary(), std::ios::binary);
   OpenMesh::IO::Options options =
       OpenMesh::IO::Options::VertexNormal | OpenMesh::IO::Options::VertexTexCoord;
   if (path.extension() == ".ply") options += OpenMesh::IO::Options::Binary;
-  const bool written = OpenMesh::IO::write_mesh(to_open_mesh(mesh), stream,
+  const bool written = OpenMesh::IO::write_mesh(to_open_mesh(mesh, flag), stream,
                                                 path.extension().string(), options, kDigits);
   stream.close();
   if (!written || !stream) {

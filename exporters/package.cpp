@@ -1,5 +1,6 @@
 #include "exporters/package.h"
 
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,9 +14,13 @@ void check_package_name(const std::filesystem::path& path, std::string_view flag
   const auto breaks_text = [](char c) {
     return c == '\'' || c == '"' || c == '\\' || (c >= 0 && c < ' ') || c == '\x7f';
   };
-  if (!std::ranges::any_of(path.filename().string(), breaks_text)) return;
-  throw Error(fmt::format("{} {} must not hold quotes or backslashes: scripts quote the name", flag,
-                          path.string()));
+  const std::string name = path.filename().string();
+  if (!std::ranges::any_of(name, breaks_text) &&
+      OIIO::Strutil::utf16_to_utf8(OIIO::Strutil::utf8_to_utf16(name)) == name)
+    return;
+  throw Error(fmt::format(
+      "{} {} must be UTF-8 without quotes or backslashes: other tools' scripts quote the name",
+      flag, path.string()));
 }
 
 void write_package(const std::filesystem::path& folder, const Package& package,

@@ -104,7 +104,8 @@ Grid<float> luma_of(const TextureImage& texture) {
 }
 
 void append_vec(std::string& text, const Vec3d& v) {
-  fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g},{:.9g}>\n", v.x, v.y, v.z);
+  fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g},{:.9g}>\n", float(v.x), float(v.y),
+                 float(v.z));
 }
 
 }  // namespace
@@ -132,7 +133,7 @@ std::string pov_mesh(const TriangleMesh& mesh) {
   text += "  }\n";
   begin("uv_vectors", mesh.uvs.size());
   for (const Vec2d& uv : mesh.uvs) {
-    fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g}>\n", uv.u, uv.v);
+    fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g}>\n", float(uv.u), float(uv.v));
   }
   text += "  }\n";
   begin("face_indices", mesh.triangles.size());

@@ -15,17 +15,22 @@ namespace {
 ClosedMesh::Point to_point(const Vec3d& v) { return {v.x, v.y, v.z}; }
 Vec3d to_vec(const ClosedMesh::Point& p) { return {p[0], p[1], p[2]}; }
 
+/// Lengths too far from each other or from 1 leave no digits for the tube: a vertex's normal is
+/// then not a unit vector, or the vertex not on the tube.
+void check_precision(const KnotSpec& knot, double normal, double radius) {
+  if (std::abs(normal - 1) < 1e-9 && std::abs(radius / knot.tube_radius - 1) < 1e-3) return;
+  throw Error(
+      fmt::format("the knot's ring {}, winding {} and tube {} can't be drawn in double "
+                  "precision; bring them nearer to 1",
+                  knot.ring_radius, knot.winding_radius, knot.tube_radius));
+}
+
 void add_ring(ClosedMesh& mesh, const Frame& frame, const KnotSpec& knot) {
   for (int j = 0; j < knot.sides; ++j) {
     const double theta = 2 * std::numbers::pi * j / knot.sides;
     const Vec3d normal = frame.across * std::cos(theta) + frame.over * std::sin(theta);
     const Vec3d position = frame.position + normal * knot.tube_radius;
-    if (!is_finite(position)) {
-      throw Error(
-          fmt::format("the knot's lengths {}, {}, {} can't be drawn in double precision; "
-                      "bring ring, winding and tube nearer to 1",
-                      knot.ring_radius, knot.winding_radius, knot.tube_radius));
-    }
+    check_precision(knot, length(normal), length(position - frame.position));
     mesh.set_normal(mesh.add_vertex(to_point(position)), to_point(normal));
   }
 }

@@ -9,6 +9,7 @@
 namespace lumaknot {
 
 struct ClosedMeshTraits : OpenMesh::DefaultTraitsDouble {
+  using TexCoord2D = OpenMesh::Vec2d;  // float32 else
   VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status);
   HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::TexCoord2D);
 };

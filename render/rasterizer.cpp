@@ -4,31 +4,57 @@
 #include <cmath>
 #include <limits>
 
+#include "render/exact_sign.h"
+
 namespace lumaknot {
 namespace {
 
-/// The top-left rule: to the right of a left edge, or below a horizontal top one. Image rows run
-/// against view space's y.
-bool owns_its_samples(const Vec3d& plane) { return plane.x > 0 || (plane.x == 0 && plane.y < 0); }
+Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-bool is_inside(const Edges& edges, const std::array<double, 3>& values) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!(values[i] >= 0)) return false;  // NaN is outside
-    if (values[i] == 0 && !owns_its_samples(edges.planes[i])) return false;
-  }
-  return true;
+/// What rounding can add to a component of cross(b, c), and later to its product with a ray: eight
+/// roundings of terms no larger than these, with room to spare.
+Vec3d cross_doubt(const Vec3d& b, const Vec3d& c) {
+  const Vec3d p = absolute(b), q = absolute(c);
+  constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
+  return Vec3d{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x} * kRoundings;
 }
 
-/// The cross product of a neighbour's edge, run the other way, is its exact negative: products and
-/// differences of doubles round symmetrically.
+/// The sign of a . (b x c), whose value in doubles is `value` and can be off by `doubt`.
+int volume_sign(double value, double doubt, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  if (std::abs(value) > doubt) return value > 0 ? 1 : -1;
+  return std::isfinite(doubt) ? exact_volume_sign(a, b, c) : 0;
+}
+
 Edges edges_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  Edges edges{{cross(b, c), cross(c, a), cross(a, b)}, 0};
-  edges.volume = dot(a, edges.planes[0]);
-  if (edges.volume < 0) {  // seen from behind
-    for (Vec3d& plane : edges.planes) plane = -plane;
-    edges.volume = -edges.volume;
+  const double volume = dot(a, cross(b, c));
+  const int sign = volume_sign(volume, dot(absolute(a), cross_doubt(b, c)), a, b, c);
+  if (sign < 0) {  // seen from behind
+    Edges edges = edges_of(a, c, b);
+    edges.turned = true;
+    return edges;
   }
-  return edges;
+  return {{a, b, c},
+          {cross(b, c), cross(c, a), cross(a, b)},
+          {cross_doubt(b, c), cross_doubt(c, a), cross_doubt(a, b)},
+          sign == 0 ? 0 : volume,
+          false};
+}
+
+/// The top-left rule for a sample on an edge: inside when the edge is a left one, or a horizontal
+/// top one. Image rows run against view space's y.
+bool owns_its_samples(const Edges& edges, std::size_t i) {
+  const Vec3d &b = edges.corners[(i + 1) % 3], &c = edges.corners[(i + 2) % 3];
+  const int right = exact_volume_sign({1, 0, 0}, b, c);
+  return right > 0 || (right == 0 && exact_volume_sign({0, 1, 0}, b, c) < 0);
+}
+
+bool is_inside(const Edges& edges, const Vec3d& ray, const std::array<double, 3>& values) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int sign = volume_sign(values[i], dot(edges.doubt[i], absolute(ray)), ray,
+                                 edges.corners[(i + 1) % 3], edges.corners[(i + 2) % 3]);
+    if (sign < 0 || (sign == 0 && !owns_its_samples(edges, i))) return false;
+  }
+  return true;
 }
 
 /// The corners of a triangle in front of depth `near`: the triangle clipped by one plane.
@@ -120,14 +146,16 @@ void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& ban
 
 void Rasterizer::draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray,
                          Fragment& seen) const {
-  if (!(edges.volume > 0)) return;  // edge on, or not finite
+  if (!(edges.volume > 0) || !std::isfinite(edges.volume)) return;  // edge on, or too large
   const std::array<double, 3> values{dot(edges.planes[0], ray), dot(edges.planes[1], ray),
                                      dot(edges.planes[2], ray)};
-  if (!is_inside(edges, values)) return;
+  if (!is_inside(edges, ray, values)) return;
   const double sum = values[0] + values[1] + values[2];
   const double depth = edges.volume / sum;
   if (!(depth >= near_) || (seen.covered() && depth > seen.depth)) return;
-  seen = fragment(triangle, depth, {values[0] / sum, values[1] / sum, values[2] / sum});
+  const std::size_t second = edges.turned ? 2 : 1;
+  seen =
+      fragment(triangle, depth, {values[0] / sum, values[second] / sum, values[3 - second] / sum});
 }
 
 Fragment Rasterizer::fragment(std::uint32_t triangle, double depth,

@@ -22,11 +22,14 @@ struct Fragment {
   bool covered() const { return triangle >= 0; }
 };
 
-/// A triangle's edges as planes through the eye: the sample on the ray d lies inside when
-/// dot(planes[i], d) is positive for each; planes[i] faces corner i.
+/// A triangle's edges as planes through the eye, in view space: the sample on the ray d lies inside
+/// when dot(planes[i], d) is positive for each; planes[i] faces corner i.
 struct Edges {
+  std::array<Vec3d, 3> corners;
   std::array<Vec3d, 3> planes;
-  double volume = 0;  ///< of the corners' parallelepiped; positive, or the triangle is not drawn
+  std::array<Vec3d, 3> doubt;  ///< |dot(planes[i], d)| is beyond rounding above dot(doubt[i], |d|)
+  double volume = 0;           ///< of the corners' parallelepiped; 0: the triangle is not drawn
+  bool turned = false;  ///< the last two corners are exchanged, so that the volume is not negative
 };
 
 /// A mesh prepared for drawing in bands of rows, each on its own.
@@ -34,8 +37,9 @@ struct Edges {
 /// Homogeneous rasterisation (Olano and Greer, Triangle Scan Conversion using 2D Homogeneous
 /// Coordinates, 1997): a triangle crossing the plane of the eye needs no clipped copies. Both faces
 /// of a triangle are drawn. A sample on an edge belongs to the triangle whose top or left edge it
-/// is; edges shared by two triangles are computed alike in both, so no sample is lost or drawn
-/// twice. Nothing nearer than near_depth() is drawn; of equal depths the later triangle is.
+/// is. Values too near to zero for their sign to be trusted are computed exactly, so between
+/// triangles that share edges no sample is lost or drawn twice. Nothing nearer than near_depth() is
+/// drawn; of equal depths the later triangle is.
 class Rasterizer {
  public:
   /// An image of width x height samples, in bands of `band_height` rows. Keeps `mesh` by reference.

@@ -25,9 +25,13 @@ namespace fs = std::filesystem;
 AtomicFile::AtomicFile(fs::path path, std::string_view flag) : path_(std::move(path)), flag_(flag) {
   std::error_code ignored;
   if (fs::is_directory(path_, ignored)) fail(flag_, path_, "it is a folder");
+  if (fs::exists(path_, ignored)) {
+    if (!fs::is_regular_file(path_, ignored)) fail(flag_, path_, "it is not a regular file");
+    path_ = fs::canonical(path_);
+  }
   temporary_ = path_;
   temporary_.replace_filename(
-      fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(), path_.extension().string()));
+      fmt::format(".lumaknot-{}-{}{}", ::getpid(), fmt::ptr(this), path_.extension().string()));
   if (!std::ofstream(temporary_, std::ios::binary)) fail(flag_, path_, std::strerror(errno));
 }
 
@@ -37,7 +41,9 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
-  std::error_code error;
+  std::error_code error, ignored;
+  const fs::file_status old = fs::status(path_, ignored);
+  if (fs::exists(old)) fs::permissions(temporary_, old.permissions(), ignored);
   fs::rename(temporary_, path_, error);
   if (error) fail(flag_, path_, error.message());
   temporary_.clear();

@@ -10,7 +10,8 @@ namespace lumaknot {
 
 /// A file to be written beside `path`: write to `temporary()`, then `commit()` renames it to
 /// `path`. Destroyed without a commit it removes the temporary file, and what stood at `path`
-/// stays. The temporary keeps the extension. Throws Error when the folder is not writable.
+/// stays. The temporary keeps the extension; a symbolic link is followed, and a file's permissions
+/// stay. Throws Error when the folder is not writable or `path` is anything but a regular file.
 class AtomicFile {
  public:
   /// `flag` is how an error names the path's origin, say "--output".

@@ -14,6 +14,9 @@ constexpr long long kMostVertices = 20'000'000;  // about 8 GB while it is built
 constexpr long long kMostPixels = 1LL << 28;     // 4 GB of RGBA float
 constexpr long long kMostSamples = 1LL << 34;
 
+// Lengths whose squares are still far from the ends of double precision.
+constexpr double kLeastLength = 1e-100, kMostLength = 1e100;
+
 /// Visits a struct's fields and checks each number against its range.
 struct RangeVisitor {
   std::string prefix;
@@ -32,12 +35,23 @@ struct RangeVisitor {
 };
 
 void check_camera(const Camera& camera) {
+  const auto text = [](const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
   const Vec3d sight = camera.position - camera.target;
-  if (!(length(sight) > 0)) {
-    throw Error("camera.target must differ from camera.position: the camera looks nowhere");
+  if (sight == Vec3d{}) {
+    throw Error(fmt::format("camera.target must differ from camera.position, got {} for both",
+                            text(camera.target)));
   }
-  if (!(length(camera.up) > 0) || !(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
-    throw Error("camera.up must not be zero nor along the line of sight; try [0, 1, 0]");
+  if (camera.up == Vec3d{}) throw Error("camera.up must not be [0, 0, 0]; try [0, 0, 1]");
+  for (const double size : {length(sight), length(camera.up)}) {
+    if (size >= kLeastLength && size <= kMostLength) continue;
+    throw Error(fmt::format(
+        "camera.position {}, target {} and up {} must be apart and long by {} to "
+        "{}; bring them nearer to 1",
+        text(camera.position), text(camera.target), text(camera.up), kLeastLength, kMostLength));
+  }
+  if (!(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
+    throw Error(fmt::format("camera.up must not lie along the line of sight, got {}; try [0, 1, 0]",
+                            text(camera.up)));
   }
 }
 

@@ -122,7 +122,7 @@ std::string scene_to_json(const SceneSpec& spec) {
   Writer writer;
   SceneSpec copy = spec;
   visit_fields(writer, copy);
-  return writer.json.dump(2) + "\n";
+  return writer.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string scene_json_schema() {

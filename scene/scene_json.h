@@ -9,8 +9,8 @@
 namespace lumaknot {
 
 /// The scene that `text` describes; keys left out keep their defaults. Throws Error naming
-/// `source` and the JSON path when the text is not JSON, a key is unknown, a type is wrong or a
-/// value is out of range. File names are returned as written.
+/// `source` when the text is not JSON, and the JSON path when a key is unknown, a type is wrong or
+/// a value is out of range. File names are returned as written.
 SceneSpec scene_from_json(std::string_view text, std::string_view source);
 
 /// The scene as JSON, every field written, ending in a newline. Read back it is the same scene.

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -15,10 +16,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a value is, as an error message quotes it: short, on one line.
-std::string quoted(const Json& value) {
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+/// What a value is, as an error message quotes it: short, on one line, nothing but ASCII.
+std::string in_short(const Json& value) {
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+/// A key as a path shows it: in quotes when it is not plain text.
+std::string shown(std::string_view key) {
+  const std::string text = in_short(key);
+  const bool plain = text.size() == key.size() + 2;  // nothing was escaped or cut
+  return plain ? std::string(key) : text;
 }
 
 /// Calls `visit(alternative)` for a default value of each type that the variant can hold.
@@ -33,18 +41,21 @@ class Reader {
   Reader(const Json& object, std::string path) : object_(object), path_(std::move(path)) {
     if (!object.is_object()) {
       throw Error(fmt::format("{} must be an object, got {}", path_.empty() ? "the scene" : path_,
-                              quoted(object)));
+                              in_short(object)));
     }
   }
 
   void integer(std::string_view key, int& value, IntRange range, std::string_view) {
     const Json* found = find(key);
     if (!found) return;
-    if (!found->is_number_integer()) fail(key, "an integer", *found);
-    // Unsigned values beyond 63 bits wrap to negative ones; no range here reaches that far.
-    const bool huge = found->is_number_unsigned() && found->get<std::uint64_t>() > INT64_MAX;
-    check_integer(label(key), huge ? INT64_MAX : found->get<std::int64_t>(), range);
-    value = found->get<int>();
+    // As in JSON Schema, 720.0 is an integer too. Every number here is exact as a double or too
+    // large for any range.
+    const double number = found->is_number() ? found->get<double>() : 0.5;
+    if (number != std::floor(number)) fail(key, "an integer", *found);
+    if (number < range.min || number > range.max) {
+      fail(key, fmt::format("an integer from {} to {}", range.min, range.max), *found);
+    }
+    value = int(number);
   }
   void number(std::string_view key, double& value, Bound bound, std::string_view) {
     const Json* found = find(key);
@@ -103,7 +114,7 @@ class Reader {
     inner.finish();
     if (inner.used_ != 1) {
       throw Error(fmt::format("{} must have exactly one of the keys {}, got {}", label(key),
-                              fmt::join(inner.known_, ", "), quoted(*found)));
+                              fmt::join(inner.known_, ", "), in_short(*found)));
     }
   }
 
@@ -118,7 +129,7 @@ class Reader {
 
  private:
   std::string label(std::string_view key) const {
-    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+    return path_.empty() ? shown(key) : fmt::format("{}.{}", path_, shown(key));
   }
   const Json* find(std::string_view key) {
     if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
@@ -128,7 +139,7 @@ class Reader {
     return &*found;
   }
   [[noreturn]] void fail(std::string_view key, std::string_view wanted, const Json& got) const {
-    throw Error(fmt::format("{} must be {}, got {}", label(key), wanted, quoted(got)));
+    throw Error(fmt::format("{} must be {}, got {}", label(key), wanted, in_short(got)));
   }
   void triple(std::string_view key, Vec3d& value, Bound bound) {
     const Json* found = find(key);
@@ -149,10 +160,30 @@ class Reader {
   std::size_t used_ = 0;
 };
 
+/// The key whose value the number `in_quotes` is, for an error message.
+std::string key_before(std::string_view text, std::string_view in_quotes) {
+  const std::size_t at = text.find(in_quotes.substr(1, in_quotes.size() - 2));
+  const std::size_t end = text.rfind('"', at), begin = text.rfind('"', end - 1);
+  if (at == text.npos || end == text.npos || begin == text.npos) return "a value";
+  return shown(text.substr(begin + 1, end - begin - 1));
+}
+
+/// Deeper than any scene; what is nested without end must not exhaust the stack.
+constexpr int kDeepest = 64;
+
 /// The text as JSON, or an Error that says where it stops being JSON.
 Json parse(std::string_view text, std::string_view source) {
+  const auto limit_depth = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= kDeepest) return true;
+    throw Error(fmt::format("{} is nested deeper than any scene, {} levels", source, kDeepest));
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(text, limit_depth);
+  } catch (const Json::out_of_range& e) {  // reads "[...] number overflow parsing '1e999'"
+    const std::string why = e.what();
+    const std::string number = why.substr(std::min(why.size(), why.find('\'')));
+    throw Error(fmt::format("{}: {} holds {}, which no double can; numbers must be finite", source,
+                            key_before(text, number), number));
   } catch (const nlohmann::json::exception& e) {
     // Its messages read "[json.exception.parse_error.101] parse error at line 1, column 2: ...".
     std::string why = e.what();

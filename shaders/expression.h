@@ -84,7 +84,8 @@ ScalarVec make_vec(const Scalar& x, const Scalar& y, const Scalar& z);
 Scalar named(const char* name, const Scalar& x);
 ScalarVec named(const char* name, const ScalarVec& v);
 
-/// The nodes that `root` needs, arguments before their users, each once.
+/// The nodes that `root` needs, arguments before their users, each once. They live as long as
+/// `root`.
 std::vector<const Node*> in_order(const NodePtr& root);
 
 }  // namespace lumaknot

@@ -114,13 +114,16 @@ PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixe
   const auto agrees = [&](const Vec3d& ours) {
     return channel_error(ours, theirs.color, theirs.limited) <= theirs.tolerance;
   };
-  const bool faces_away = dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
-  Fragment turned = fragment;
-  if (faces_away) turned.normal = -turned.normal;
-  const bool lit = dot(turned.normal, scene.view.light.position - turned.position) > 0;
-  if (faces_away && lit && agrees(shade(scene, shot, turned))) return PixelClass::kTurnedNormal;
-  if (!lit && agrees(gated(scene, shot, turned))) {
-    return faces_away ? PixelClass::kTurnedNormal : PixelClass::kGatedHighlight;
+  const auto agrees_gated = [&](const Fragment& f) {
+    const bool lit = dot(f.normal, scene.view.light.position - f.position) > 0;
+    return !lit && agrees(gated(scene, shot, f));
+  };
+  if (agrees_gated(fragment)) return PixelClass::kGatedHighlight;
+  if (dot(fragment.normal, scene.view.camera.position - fragment.position) < 0) {
+    Fragment turned = fragment;
+    turned.normal = -turned.normal;
+    const bool agrees_turned = agrees(shade(scene, shot, turned)) || agrees_gated(turned);
+    if (agrees_turned) return PixelClass::kTurnedNormal;
   }
   if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
   if (!theirs.search) return PixelClass::kUnexplained;

@@ -60,11 +60,14 @@ std::vector<std::string> arguments(const std::string& program, const ImageSpec& 
           fmt::format("+WT{}", std::max(1u, std::thread::hardware_concurrency()))};
 }
 
-/// The index of the drawn shot of `stage`, or nothing.
+/// The index of the drawn shot of `stage` with the shininess of `final`, or nothing.
 std::optional<std::size_t> find_stage(std::span<const Shot> shots, const std::vector<Drawn>& drawn,
-                                      Stage stage) {
+                                      Stage stage, const Shot& final) {
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    if (shots[i].stage == stage && drawn[i].status == Drawn::Status::kDrawn) return i;
+    if (shots[i].stage == stage && drawn[i].status == Drawn::Status::kDrawn &&
+        shots[i].material.shininess == final.material.shininess) {
+      return i;
+    }
   }
   return std::nullopt;
 }
@@ -72,9 +75,9 @@ std::optional<std::size_t> find_stage(std::span<const Shot> shots, const std::ve
 /// A shot that POV-Ray can't draw by itself, put together from the terms that it drew.
 Drawn composed(const Scene& scene, const Shot& shot, std::span<const Shot> shots,
                const std::vector<Drawn>& drawn) {
-  const auto texture = find_stage(shots, drawn, Stage::kTexture);
-  const auto diffuse = find_stage(shots, drawn, Stage::kDiffuse);
-  const auto specular = find_stage(shots, drawn, Stage::kSpecular);
+  const auto texture = find_stage(shots, drawn, Stage::kTexture, shot);
+  const auto diffuse = find_stage(shots, drawn, Stage::kDiffuse, shot);
+  const auto specular = find_stage(shots, drawn, Stage::kSpecular, shot);
   if (!texture || !diffuse || !specular) {
     return undrawn(1, Drawn::Status::kSkipped,
                    *pov_shortfall(shot) + ", and its terms were not drawn apart")

@@ -143,6 +143,10 @@ bool Process::running() const {
   return pid_ >= 0 && ::poll(&ended, 1, 0) == 0;
 }
 
+void Process::signal(int number) const {
+  if (pid_ >= 0) ::kill(pid_, number);
+}
+
 Ended Process::wait(std::chrono::duration<double> limit) {
   const sigset_t signals = stop_signals();
   const Descriptor stop(::signalfd(-1, &signals, SFD_CLOEXEC));

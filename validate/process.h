@@ -57,6 +57,9 @@ class Process {
 
   bool running() const;
 
+  /// Sends a signal to the program alone.
+  void signal(int number) const;
+
  private:
   void kill_group();
 

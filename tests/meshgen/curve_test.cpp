@@ -17,8 +17,8 @@ KnotSpec knot_of(int p, int q) {
   return knot;
 }
 
-const KnotSpec kKnots[] = {knot_of(2, 3),  knot_of(-2, 3), knot_of(2, -3), knot_of(1, 0),
-                           knot_of(0, 1),  knot_of(5, 2),  knot_of(1, 1),  knot_of(-7, -4)};
+const KnotSpec kKnots[] = {knot_of(2, 3), knot_of(-2, 3), knot_of(2, -3), knot_of(1, 0),
+                           knot_of(0, 1), knot_of(5, 2),  knot_of(1, 1),  knot_of(-7, -4)};
 
 /// The largest distance of the derivative from a central difference with step `h`.
 double difference_error(const KnotSpec& knot, double h) {

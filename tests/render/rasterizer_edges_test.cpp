@@ -11,6 +11,7 @@
 namespace lumaknot {
 namespace {
 
+using testing::covered_samples;
 using testing::Random;
 
 constexpr int kSize = 16;

@@ -9,8 +9,10 @@
 namespace lumaknot {
 namespace {
 
+using testing::covered_samples;
 using testing::draw;
 using testing::Random;
+using testing::same;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

@@ -9,6 +9,7 @@
 namespace lumaknot {
 namespace {
 
+using testing::covered_samples;
 using testing::Hit;
 using testing::Random;
 

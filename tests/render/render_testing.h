@@ -142,7 +142,9 @@ inline bool same(const Fragment& a, const Fragment& b) {
 class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
-  double between(double low, double high) { return low + (high - low) * engine_() / 4294967296.0; }
+  double between(double low, double high) {
+    return low + (high - low) * double(engine_()) / 4294967296.0;
+  }
   Vec3d point(double extent) {
     const double x = between(-extent, extent), y = between(-extent, extent);
     return {x, y, between(-extent, extent)};

@@ -34,11 +34,14 @@ TextureImage transposed(const TextureImage& image) {
   return result;
 }
 
-void expect_no_seam(const std::vector<double>& steps) {
-  // The seam lies in a joint, as one in every brick's width does: no step there may be larger
-  // than the largest between neighbours inside the image.
-  const double largest = *std::max_element(steps.begin(), steps.end() - 1);
-  EXPECT_LE(steps.back(), largest);
+/// The seam lies where every `period`-th step lies, in the middle of joints: it must be of their
+/// size. Means over 512 texels of grain vary by a tenth; a lattice that does not repeat doubles it.
+void expect_no_seam(const std::vector<double>& steps, std::size_t period) {
+  double largest = 0;
+  for (std::size_t i = period; i < steps.size(); i += period) {
+    largest = std::max(largest, steps[i - 1]);
+  }
+  EXPECT_LE(steps.back(), 1.2 * largest);
   EXPECT_GT(steps.back(), 0);
 }
 
@@ -60,10 +63,12 @@ TEST(Bricks, an_8_bit_file_holds_every_value_exactly) {
   }
 }
 
-TEST(Bricks, meet_themselves_at_the_left_and_right_edge) { expect_no_seam(column_steps(bricks())); }
+TEST(Bricks, meet_themselves_at_the_left_and_right_edge) {
+  expect_no_seam(column_steps(bricks()), 128);
+}
 
 TEST(Bricks, meet_themselves_at_the_top_and_bottom_edge) {
-  expect_no_seam(column_steps(transposed(bricks())));
+  expect_no_seam(column_steps(transposed(bricks())), 64);
 }
 
 TEST(Bricks, are_the_same_bytes_each_time) { EXPECT_EQ(bricks().pixels, bricks().pixels); }

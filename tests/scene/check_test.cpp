@@ -22,14 +22,19 @@ std::string knot_refusal(const KnotSpec& knot, const std::string& prefix) {
 TEST(CheckInteger, accepts_the_ends_of_its_range_and_nothing_beyond) {
   EXPECT_NO_THROW(check_integer("--n", 3, {3, 5}));
   EXPECT_NO_THROW(check_integer("--n", 5, {3, 5}));
-  EXPECT_EQ(error_of([] { check_integer("--n", 2, {3, 5}); }),
+  EXPECT_EQ(error_of([] {
+              check_integer("--n", 2, {3, 5});
+            }),
             "--n must be an integer from 3 to 5, got 2");
-  EXPECT_EQ(error_of([] { check_integer("--n", 4294967300, {3, 5}); }),
+  EXPECT_EQ(error_of([] {
+              check_integer("--n", 4294967300, {3, 5});
+            }),
             "--n must be an integer from 3 to 5, got 4294967300");
 }
 
 TEST(CheckNumber, tells_open_ends_from_closed_ones) {
-  const Bound closed{.min = 0, .max = 1}, open{.min = 0, .max = 1, .open_min = true, .open_max = true};
+  const Bound closed{.min = 0, .max = 1},
+      open{.min = 0, .max = 1, .open_min = true, .open_max = true};
   EXPECT_NO_THROW(check_number("x", 0, closed));
   EXPECT_NO_THROW(check_number("x", 1, closed));
   EXPECT_NO_THROW(check_number("x", 0.5, open));

@@ -146,7 +146,8 @@ TEST(SceneErrors, a_camera_without_a_direction_is_refused) {
 }
 
 TEST(SceneErrors, a_luma_offset_needs_a_luma_space) {
-  expect_refused({{R"({"material": {"luma_offset": -0.1}})", "material.luma_offset", "-0.1", "yiq"}});
+  expect_refused(
+      {{R"({"material": {"luma_offset": -0.1}})", "material.luma_offset", "-0.1", "yiq"}});
   EXPECT_EQ(refusal(R"({"material": {"luma_offset": -0.1, "space": "yiq"}})"), "");
 }
 
@@ -206,9 +207,21 @@ TEST(SceneErrors, a_key_given_twice_is_refused_or_the_last_one_counts) {
   }
 }
 
-TEST(SceneErrors, deeply_nested_json_is_refused_without_exhausting_the_stack) {
-  const std::size_t depth = 200'000;
-  EXPECT_NE(refusal(std::string(depth, '[') + std::string(depth, ']')), "");
+/// A list in a list in a list ...
+std::string nested(std::size_t depth) {
+  std::string text = "{\"ambient\": ";
+  for (std::size_t i = 0; i < depth; ++i) text += '[';
+  text.append(depth, ']');
+  return text + "}";
+}
+
+TEST(SceneErrors, nested_json_is_refused_by_its_path) {
+  expect_refused({{nested(50), "ambient", "[[[[", "a number"}});
+}
+
+TEST(SceneErrorsDeathTest, deeply_nested_json_is_refused_without_exhausting_the_stack) {
+  const std::string text = nested(200'000);  // 400 kB
+  EXPECT_EXIT(std::exit(refusal(text).empty() ? 1 : 0), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

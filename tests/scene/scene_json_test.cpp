@@ -21,9 +21,8 @@ SceneSpec unusual_scene() {
   scene.view.camera = {{1.5, -6.25, 3.75}, {0.1, 0.2, 0.3}, {0.4, 0.6, 0.8}, 33.3};
   scene.view.light.position = {-9.5, 8.5, 7.5};
   scene.view.ambient = 1.0 / 3.0;
-  scene.view.material = {Model::kPhong, Space::kYiq,    13.5,
-                         0.9,           0.7,            -0.05,
-                         Clamp::kTable1, NormalUse::kInterpolated};
+  scene.view.material = {Model::kPhong, Space::kYiq, 13.5,           0.9,
+                         0.7,           -0.05,       Clamp::kTable1, NormalUse::kInterpolated};
   scene.view.image = {321, 123, 5};
   return scene;
 }
@@ -36,7 +35,8 @@ TEST(SceneJson, every_builtin_scene_reads_back_as_itself) {
 }
 
 TEST(SceneJson, every_alternative_of_mesh_and_texture_reads_back_as_itself) {
-  for (const MeshSpec& mesh : {MeshSpec{KnotSpec{}}, MeshSpec{MeshFile{"dir/a \"mesh\" \\ é.obj"}}}) {
+  for (const MeshSpec& mesh :
+       {MeshSpec{KnotSpec{}}, MeshSpec{MeshFile{"dir/a \"mesh\" \\ é.obj"}}}) {
     for (const TextureSpec& texture :
          {TextureSpec{Bricks{}}, TextureSpec{TextureFile{"../wall.png"}},
           TextureSpec{PlainColor{{0, 1, 0.1}}}}) {
@@ -134,8 +134,8 @@ TEST(SceneJson, defaults_are_the_paper_s_grid_and_picture) {
   EXPECT_EQ(knot.segments, 768);  // the one solution of (a+1)(b+1) = 31529, 2ab = 61440
   EXPECT_EQ(knot.sides, 40);
   EXPECT_TRUE(std::holds_alternative<Bricks>(scene.texture));
-  EXPECT_EQ(scene.view.ambient, 0.1);             // AmbientValue of Table 1
-  EXPECT_EQ(scene.view.material.shininess, 55.0); // SpecularPower of Table 1
+  EXPECT_EQ(scene.view.ambient, 0.1);              // AmbientValue of Table 1
+  EXPECT_EQ(scene.view.material.shininess, 55.0);  // SpecularPower of Table 1
   EXPECT_EQ(scene.view.image.width, 720);
   EXPECT_EQ(scene.view.image.height, 720);
 }

@@ -47,39 +47,34 @@ TEST(Process, passes_arguments_as_they_are) {
   EXPECT_EQ(ended.log, "a b $HOME * ; false\n");
 }
 
+/// Whether the process whose number the script wrote to "child" is gone within five seconds. A
+/// killed orphan stays a zombie until init takes it; it is no longer a running process.
+bool child_ends(const PrivateFolder& folder) {
+  int child = 0;
+  std::ifstream(folder.path() / "child") >> child;
+  for (int tries = 0; child > 0 && tries < 100; ++tries) {
+    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+    const std::string text((std::istreambuf_iterator<char>(stat)), {});
+    if (text.empty() || text.find(") Z ") != std::string::npos) return true;
+    std::this_thread::sleep_for(50ms);
+  }
+  return false;
+}
+
 TEST(Process, is_killed_with_its_children_at_its_limit) {
   const PrivateFolder folder;
   const Ended ended = shell(folder, "sleep 600 & echo $! > child; sleep 600", 0.3s);
   EXPECT_TRUE(ended.timed_out);
   EXPECT_FALSE(ended.well());
   EXPECT_LT(ended.seconds, 10);  // not the 600 it asked for
-  int child = 0;
-  std::ifstream(folder.path() / "child") >> child;
-  ASSERT_GT(child, 0);
-  // A killed orphan stays a zombie until init takes it; it is no longer a running process.
-  for (int tries = 0; tries < 100; ++tries) {
-    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
-    std::string text((std::istreambuf_iterator<char>(stat)), {});
-    if (text.empty() || text.find(") Z ") != std::string::npos) return;
-    std::this_thread::sleep_for(50ms);
-  }
-  FAIL() << "the child outlived its group";
+  EXPECT_TRUE(child_ends(folder)) << "the child outlived its group";
 }
 
 TEST(Process, leaves_no_child_behind_when_it_ends_well) {
   const PrivateFolder folder;
   const Ended ended = shell(folder, "sleep 600 & echo $! > child");
   EXPECT_TRUE(ended.well());
-  int child = 0;
-  std::ifstream(folder.path() / "child") >> child;
-  ASSERT_GT(child, 0);
-  for (int tries = 0; tries < 100; ++tries) {
-    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
-    std::string text((std::istreambuf_iterator<char>(stat)), {});
-    if (text.empty() || text.find(") Z ") != std::string::npos) return;
-    std::this_thread::sleep_for(50ms);
-  }
-  FAIL() << "the child outlived its parent";
+  EXPECT_TRUE(child_ends(folder)) << "the child outlived its parent";
 }
 
 TEST(Process, keeps_the_end_of_a_long_log) {
@@ -92,24 +87,6 @@ TEST(Process, keeps_the_end_of_a_long_log) {
 TEST(Process, that_can_not_start_throws) {
   const PrivateFolder folder;
   EXPECT_THROW(run({{"/nonexistent/program"}, folder.path(), {}}, 1s), std::runtime_error);
-}
-
-TEST(Process, an_interrupt_kills_the_group_and_is_told) {
-  const InterruptGuard guard;
-  const PrivateFolder folder;
-  Process process({{"/bin/sleep", "600"}, folder.path(), {}});
-  ::kill(::getpid(), SIGTERM);
-  EXPECT_THROW(process.wait(30s), Interrupted);
-  EXPECT_FALSE(process.running());
-  const sigset_t pending = [] {
-    sigset_t s;
-    sigemptyset(&s);
-    sigaddset(&s, SIGTERM);
-    return s;
-  }();
-  int signal = 0;
-  ::sigwait(&pending, &signal);  // taken, so that it does not end this test
-  EXPECT_EQ(signal, SIGTERM);
 }
 
 TEST(PrivateFolder, goes_with_what_it_holds) {

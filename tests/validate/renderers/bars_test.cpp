@@ -111,11 +111,15 @@ TEST(OddScene, agrees_in_every_renderer) {
   for (const NamedMaterial& m : named_materials()) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(material, m.name)});
   }
+  job.scene.view.material = material;
   job.finals.back().material.luma_offset = 0.07;
   const Validation v = validate(job);
   for (const Judgement& judgement : v.judgements) {
     EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
     EXPECT_TRUE(judgement.drew_any()) << judgement.rendering.log;
+    for (const Judged& shot : judgement.shots) {
+      EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());
+    }
   }
   const auto& classes = judged(v, "POV-Ray", "phong").comparison.classes;
   EXPECT_GT(classes[std::size_t(PixelClass::kGatedHighlight)], 0) << "the scene was made for these";

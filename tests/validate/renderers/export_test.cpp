@@ -10,6 +10,7 @@
 #include "scene/atomic_file.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
+#include "validate/explain.h"
 #include "validate/process.h"
 
 namespace lumaknot {
@@ -22,12 +23,13 @@ Ended lumaknot_run(const PrivateFolder& folder, std::vector<std::string> argumen
   return run({arguments, folder.path(), {}}, std::chrono::seconds(120));
 }
 
-double mean_error(const Image& a, const Image& b) {
+/// The mean of the largest differences of a channel, ours limited to [0, 1] where theirs is.
+double mean_error(const Image& theirs, const Image& ours, bool limited) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    sum += length(to_vec(a.pixels[i].color) - to_vec(b.pixels[i].color));
+  for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
+    sum += channel_error(to_vec(ours.pixels[i].color), theirs.pixels[i].color, limited);
   }
-  return sum / double(a.pixels.size());
+  return sum / double(ours.pixels.size());
 }
 
 Image own_figure2() {
@@ -44,9 +46,10 @@ TEST(Export, pov_scene_renders_as_it_stands) {
                            {}},
                           std::chrono::seconds(120));
   ASSERT_TRUE(ended.well()) << ended.log;
-  EXPECT_THAT(ended.log, ::testing::Not(::testing::HasSubstr("Warning")));
-  // Colours above 1 are cut in the PNG only; highlights are small.
-  EXPECT_LT(mean_error(read_image(folder.path() / "knot.png", 720, 720), own_figure2()), 1e-3);
+  EXPECT_THAT(ended.log, ::testing::Not(::testing::HasSubstr("Parse Warning")));
+  // POV-Ray turns some eighty normals at silhouettes; all else is below a 16-bit step.
+  EXPECT_LT(mean_error(read_image(folder.path() / "knot.png", 720, 720), own_figure2(), true),
+            1e-4);
 }
 
 TEST(Export, blender_script_renders_as_it_stands) {
@@ -59,7 +62,8 @@ TEST(Export, blender_script_renders_as_it_stands) {
            {}},
           std::chrono::seconds(120));
   ASSERT_TRUE(ended.well()) << ended.log;
-  EXPECT_LT(mean_error(read_image(folder.path() / "knot.exr", 720, 720), own_figure2()), 1e-4);
+  EXPECT_LT(mean_error(read_image(folder.path() / "knot.exr", 720, 720), own_figure2(), false),
+            1e-5);
 }
 
 TEST(Export, blend_file_renders_alone_and_holds_no_path_of_this_machine) {
@@ -73,7 +77,8 @@ TEST(Export, blend_file_renders_alone_and_holds_no_path_of_this_machine) {
                           std::chrono::seconds(120));
   ASSERT_TRUE(ended.well()) << ended.log;
   // The scene itself leaves file extensions off: frame0001.
-  EXPECT_LT(mean_error(read_image(folder.path() / "frame0001", 720, 720), own_figure2()), 1e-4);
+  EXPECT_LT(mean_error(read_image(folder.path() / "frame0001", 720, 720), own_figure2(), false),
+            1e-5);
 }
 
 TEST(Doctor, finds_the_renderers_and_their_versions) {
