@@ -84,7 +84,7 @@ TEST_F(Program, bad_scenes_are_refused_by_path_value_and_remedy) {
   refused(R"({"mesh": {"knot": {"sides": "40"}}})",
           "mesh.knot.sides must be an integer, got \"40\"");
   refused(R"({"light": {"position": [1, 2]}})", "light.position must be three numbers");
-  refused(R"({"ambient": 1e999})", "scene.json is not JSON");
+  refused(R"({"ambient": 1e999})", "scene.json: ambient holds '1e999'");
   refused(R"({"camera": {"fov": 40}})", "camera.fov is not a known key");
   refused(R"({"texture": {"file": "none.png"}})", "texture.file");
   refused(R"({"mesh": {"file": "none.obj"}})", "mesh.file");
