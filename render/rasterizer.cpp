@@ -116,12 +116,12 @@ Grid<Fragment> Rasterizer::band(int index) const {
   return band;
 }
 
-Fragment Rasterizer::at(double x, double y) const {
+Fragment Rasterizer::at(double x, double y, double beyond) const {
   const std::size_t last = bins_.size() - 1;
   const auto& bin = bins_[std::min(last, std::size_t(std::max(0.0, y) / band_height_))];
   Fragment seen;
   for (const std::uint32_t triangle : bin) {
-    draw_at(triangle, edges(triangle), projection_.ray(x, y), seen);
+    draw_at(triangle, edges(triangle), projection_.ray(x, y), std::max(near_, beyond), seen);
   }
   return seen;
 }
@@ -139,20 +139,20 @@ void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& ban
   const int y1 = std::min(bounds.y1, first_row + band.height);
   for (int y = y0; y < y1; ++y) {
     for (int x = bounds.x0; x < bounds.x1; ++x) {
-      draw_at(triangle, edges, projection_.ray(x + 0.5, y + 0.5), band.at(x, y - first_row));
+      draw_at(triangle, edges, projection_.ray(x + 0.5, y + 0.5), near_, band.at(x, y - first_row));
     }
   }
 }
 
 void Rasterizer::draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray,
-                         Fragment& seen) const {
+                         double nearest, Fragment& seen) const {
   if (!(edges.volume > 0) || !std::isfinite(edges.volume)) return;  // edge on, or too large
   const std::array<double, 3> values{dot(edges.planes[0], ray), dot(edges.planes[1], ray),
                                      dot(edges.planes[2], ray)};
   if (!is_inside(edges, ray, values)) return;
   const double sum = values[0] + values[1] + values[2];
   const double depth = edges.volume / sum;
-  if (!(depth >= near_) || (seen.covered() && depth > seen.depth)) return;
+  if (!(depth >= nearest) || (seen.covered() && depth > seen.depth)) return;
   const std::size_t second = edges.turned ? 2 : 1;
   seen =
       fragment(triangle, depth, {values[0] / sum, values[second] / sum, values[3 - second] / sum});

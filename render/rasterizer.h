@@ -48,9 +48,9 @@ class Rasterizer {
 
   int bands() const { return int(bins_.size()); }
 
-  /// What the image point (x, y), in samples from the top left, sees; it may be any inside the
-  /// image.
-  Fragment at(double x, double y) const;
+  /// What the image point (x, y), in samples from the top left, sees farther than `beyond`; it may
+  /// be any point inside the image.
+  Fragment at(double x, double y, double beyond = 0) const;
 
   /// Rows [band * band_height, ...) of the image; the last band may be lower.
   Grid<Fragment> band(int index) const;
@@ -63,7 +63,8 @@ class Rasterizer {
 
   Bounds image_bounds(const Triangle& triangle) const;
   void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
-  void draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray, Fragment& seen) const;
+  void draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray, double nearest,
+               Fragment& seen) const;
   Edges edges(std::uint32_t triangle) const;
   Fragment fragment(std::uint32_t triangle, double depth,
                     const std::array<double, 3>& weights) const;

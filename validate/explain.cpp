@@ -80,6 +80,17 @@ std::vector<Fragment> moved_samples(const Reference& reference, PixelPlace place
   return samples;
 }
 
+bool at_triangle_edge(const Fragment& here, const std::vector<Fragment>& moved) {
+  return std::ranges::any_of(moved, [&](const Fragment& f) { return f.triangle != here.triangle; });
+}
+
+/// What the pixel's centre would see without the surface that it sees.
+Fragment behind_sample(const Reference& reference, PixelPlace place) {
+  const double depth = reference.fragments.at(place.x, place.y).depth;
+  constexpr double kSameSurface = 1e-6;  // float32 depths of two triangles that meet at an edge
+  return reference.rasterizer.at(place.x + 0.5, place.y + 0.5, depth * (1 + kSameSurface));
+}
+
 }  // namespace
 
 Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
@@ -111,32 +122,40 @@ Reference::Reference(const Scene& s, const Grid<Fragment>& f)
 PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
   const Scene& scene = reference.scene;
   const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
-  const auto agrees = [&](const Vec3d& ours) {
-    return channel_error(ours, theirs.color, theirs.limited) <= theirs.tolerance;
+  const auto agrees = [&](const Fragment& f) {
+    return f.covered() &&
+           channel_error(shade(scene, shot, f), theirs.color, theirs.limited) <= theirs.tolerance;
   };
   const auto agrees_gated = [&](const Fragment& f) {
     const bool lit = dot(f.normal, scene.view.light.position - f.position) > 0;
-    return !lit && agrees(gated(scene, shot, f));
+    return !lit &&
+           channel_error(gated(scene, shot, f), theirs.color, theirs.limited) <= theirs.tolerance;
+  };
+  const auto agrees_turned = [&](Fragment f) {
+    if (dot(f.normal, scene.view.camera.position - f.position) >= 0) return false;
+    f.normal = -f.normal;
+    return agrees(f) || agrees_gated(f);
   };
   if (agrees_gated(fragment)) return PixelClass::kGatedHighlight;
-  if (dot(fragment.normal, scene.view.camera.position - fragment.position) < 0) {
-    Fragment turned = fragment;
-    turned.normal = -turned.normal;
-    const bool agrees_turned = agrees(shade(scene, shot, turned)) || agrees_gated(turned);
-    if (agrees_turned) return PixelClass::kTurnedNormal;
-  }
+  if (agrees_turned(fragment)) return PixelClass::kTurnedNormal;
   if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
   if (!theirs.search) return PixelClass::kUnexplained;
-  const bool moves = std::ranges::any_of(
-      moved_samples(reference, theirs.place, theirs.edge),
-      [&](const Fragment& moved) { return moved.covered() && agrees(shade(scene, shot, moved)); });
-  return moves ? PixelClass::kSilhouette : PixelClass::kUnexplained;
+  const std::vector<Fragment> moved = moved_samples(reference, theirs.place, theirs.edge);
+  if (std::ranges::any_of(moved, agrees)) return PixelClass::kSilhouette;
+  if (at_triangle_edge(fragment, moved)) {
+    const Fragment behind = behind_sample(reference, theirs.place);
+    if (agrees(behind) || agrees_turned(behind)) return PixelClass::kSlippedRay;
+  }
+  return PixelClass::kUnexplained;
 }
 
 bool explains_coverage(const Reference& reference, PixelPlace place, double edge) {
-  const bool covered = reference.fragments.at(place.x, place.y).covered();
-  return std::ranges::any_of(moved_samples(reference, place, edge),
-                             [&](const Fragment& moved) { return moved.covered() != covered; });
+  const Fragment& here = reference.fragments.at(place.x, place.y);
+  const std::vector<Fragment> moved = moved_samples(reference, place, edge);
+  const bool differs =
+      std::ranges::any_of(moved, [&](const Fragment& f) { return f.covered() != here.covered(); });
+  return differs || (here.covered() && at_triangle_edge(here, moved) &&
+                     !behind_sample(reference, place).covered());
 }
 
 }  // namespace lumaknot

@@ -13,10 +13,12 @@ enum class PixelClass {
   kGatedHighlight,  ///< agrees once our highlight is left out where n.l <= 0
   kTexelEdge,       ///< lies among our colours within 1/100 texel
   kSilhouette,      ///< agrees once our sample is moved, by at most what the limits grant
+  kSlippedRay,  ///< agrees with what lies behind, the sample being as near to a triangle's edge:
+                ///< a ray tracer's ray passed between two triangles
   kUnexplained
 };
-inline constexpr std::array<std::string_view, 5> kPixelClassNames{
-    "turned normal", "gated highlight", "texel edge", "silhouette", "unexplained"};
+inline constexpr std::array<std::string_view, 6> kPixelClassNames{
+    "turned normal", "gated highlight", "texel edge", "silhouette", "slipped ray", "unexplained"};
 
 /// The fragments at whose side the surface ends or another sheet of it begins: some neighbour of
 /// the eight is empty, or lies off this fragment's tangent plane, and this one off the neighbour's,

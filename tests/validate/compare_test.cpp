@@ -174,6 +174,38 @@ TEST(Explain, names_a_sample_that_an_edge_of_the_surface_passes_by) {
   EXPECT_EQ(compare(bench.reference, shot, ours, theirs, false, wide).coverage_unexplained, 0);
 }
 
+TEST(Explain, names_a_ray_that_slipped_between_two_triangles) {
+  // Two sheets, each of two triangles whose common edge runs through pixel centres.
+  TriangleMesh mesh;
+  for (const double y : {0.0, 1.0}) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (const auto& [x, z] : {Vec2d{-1, -1}, Vec2d{1, -1}, Vec2d{1, 1}, Vec2d{-1, 1}}) {
+      mesh.positions.push_back({x, y, z});
+      mesh.normals.push_back({0, -1, 0});
+      mesh.uvs.push_back({0, 0});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  Scene scene{mesh, Vec3d{0.5, 0.5, 0.5}, {}};
+  scene.view.camera = {{0, -4, 0}, {0, 0, 0}, {0, 0, 1}, 45};
+  scene.view.light.position = {0, -3, 0.5};
+  scene.view.image = {64, 64, 1};
+  const Bench bench{scene};
+  const Shot shot{"diffuse", Stage::kDiffuse, {}};
+  Image theirs = shade_all(scene, shot, bench.fragments);
+  const auto slip = [&](int x, int y) {
+    const Fragment behind = bench.reference.rasterizer.at(x + 0.5, y + 0.5, 4.5);
+    theirs.at(x, y).color = to_rgb(shade(scene, shot, behind));
+  };
+  slip(40, 23);  // on the diagonal
+  const Comparison on_edge = bench.compare_with(shot, theirs);
+  EXPECT_EQ(on_edge.outliers, 1);
+  EXPECT_EQ(bench.count(on_edge, PixelClass::kSlippedRay), 1);
+  slip(40, 30);  // inside a triangle no ray may slip
+  EXPECT_EQ(bench.count(bench.compare_with(shot, theirs), PixelClass::kUnexplained), 1);
+}
+
 TEST(Silhouettes, lie_where_the_surface_ends_or_passes_before_itself) {
   const Bench bench{small_scene(256)};
   const Grid<char>& marks = bench.reference.silhouettes;
