@@ -2,7 +2,9 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,24 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path) 
   if (!input) throw std::runtime_error(OIIO::geterror());
   return input;
 }
+
+/// Standard error closed for a while: libpng writes there what we tell in our own words.
+class QuietStandardError {
+ public:
+  QuietStandardError() : saved_(::dup(STDERR_FILENO)), null_(::open("/dev/null", O_WRONLY)) {
+    ::dup2(null_, STDERR_FILENO);
+  }
+  ~QuietStandardError() {
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+    ::close(null_);
+  }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  int saved_, null_;
+};
 
 std::vector<float> read_floats(OIIO::ImageInput& input) {
   const OIIO::ImageSpec& spec = input.spec();
@@ -106,6 +126,7 @@ std::string rgba_png(const Image& image) {
 }  // namespace
 
 TextureImage read_texture(const std::filesystem::path& path, std::string_view label) try {
+  const QuietStandardError quiet;
   auto input = open_image(path);
   const int width = input->spec().width, height = input->spec().height;
   const int channels = input->spec().nchannels;

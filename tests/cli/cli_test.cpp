@@ -91,6 +91,9 @@ TEST_F(Program, bad_scenes_are_refused_by_path_value_and_remedy) {
   refused("{", "scene.json is not JSON");
   write("none.png", "not an image");
   refused(R"({"texture": {"file": "none.png"}})", "none.png");
+  ASSERT_EQ(lumaknot({"render", "figure2", "-o", "cut.png"}).exit_code, 0);
+  fs::resize_file(path("cut.png"), fs::file_size(path("cut.png")) / 2);
+  refused(R"({"texture": {"file": "cut.png"}})", "cut.png");
   write("none.obj", "not a mesh");
   refused(R"({"mesh": {"file": "none.obj"}})", "none.obj");
 }

@@ -28,12 +28,20 @@ std::string scene_text(const Scene& scene, Stage stage, const Material& m) {
   return pov_scene(scene, {"shot", stage, m}, kNames, "MESH\n");
 }
 
-std::vector<std::smatch> matches(const std::string& text, const std::string& pattern) {
+/// The groups of a match, empty where one took no part; the whole match first.
+using Match = std::vector<std::string>;
+
+std::vector<Match> matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
-  return {std::sregex_iterator(text.begin(), text.end(), expression), std::sregex_iterator()};
+  std::vector<Match> all;
+  for (std::sregex_iterator m(text.begin(), text.end(), expression), end; m != end; ++m) {
+    Match& groups = all.emplace_back();
+    for (const auto& group : *m) groups.push_back(group.str());
+  }
+  return all;
 }
 
-Vec3d vector_of(const std::smatch& match, std::size_t first = 1) {
+Vec3d vector_of(const Match& match, std::size_t first = 1) {
   return {std::stod(match[first]), std::stod(match[first + 1]), std::stod(match[first + 2])};
 }
 
@@ -81,9 +89,9 @@ Vec3d povs_color(const std::string& text, double diffuse, double specular) {
                         kNumber + " ambient " + kNumber + " diffuse " + kNumber + " phong " +
                         kNumber + " phong_size " + kNumber + " \\}");
   Vec3d sum;
-  for (const std::smatch& m : layers) {
+  for (const Match& m : layers) {
     const Vec3d pigment =
-        m[1].matched ? vector_of(m) : Vec3d{std::stod(m[4]), std::stod(m[4]), std::stod(m[4])};
+        !m[1].empty() ? vector_of(m) : Vec3d{std::stod(m[4]), std::stod(m[4]), std::stod(m[4])};
     const double light = std::stod(m[5]) + std::stod(m[6]) + std::stod(m[7]) * diffuse;
     const double highlight = std::stod(m[8]) * specular;
     sum = sum + pigment * light + Vec3d{highlight, highlight, highlight};
