@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,15 @@ class Program : public ::testing::Test {
   Ended lumaknot(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
     fs::remove(folder_.path() / "lumaknot.log");
-    return run({arguments, folder_.path(), {}}, std::chrono::seconds(60));
+    return run({arguments, folder_.path(), sanitizer_options()}, std::chrono::seconds(60));
+  }
+  /// A program built with sanitizers needs the options that this test was given.
+  static std::vector<std::string> sanitizer_options() {
+    std::vector<std::string> options;
+    for (const std::string name : {"ASAN_OPTIONS", "LSAN_OPTIONS"}) {
+      if (const char* value = std::getenv(name.c_str())) options.push_back(name + "=" + value);
+    }
+    return options;
   }
   /// Expects exit code 2 and one line that holds `part`.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
