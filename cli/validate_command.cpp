@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -41,16 +43,36 @@ std::vector<Shot> finals(const Material& own, const std::vector<std::string>& mo
     }
   }
   for (const std::string& name : models) {
+    if (std::ranges::count(shots, name, &Shot::name) > 0) continue;
     shots.push_back({name, Stage::kFinal, name == "scene" ? own : *with_formula(own, name)});
   }
   return shots;
 }
 
+/// `text` as one word of a shell's command line.
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("_-./:=,").find(char(c)) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 std::string repeat_command(const ValidateFlags& flags) {
-  std::string command = "lumaknot validate " + flags.scene;
-  for (const std::string& model : flags.models) command += " --model " + model;
-  for (const std::string& renderer : flags.renderers) command += " --renderer " + renderer;
-  return command + " -o " + flags.output;
+  std::string command = "lumaknot validate " + shell_word(flags.scene);
+  const auto add = [&](std::string_view flag, const std::string& value) {
+    command += fmt::format(" {} {}", flag, shell_word(value));
+  };
+  for (const std::string& model : flags.models) add("--model", model);
+  for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
+  const Programs usual;
+  if (flags.programs.povray != usual.povray) add("--povray", flags.programs.povray);
+  if (flags.programs.blender != usual.blender) add("--blender", flags.programs.blender);
+  if (flags.programs.xvfb != usual.xvfb) add("--xvfb", flags.programs.xvfb);
+  add("-o", flags.output);
+  return command;
 }
 
 void make_folder(const fs::path& folder) {
@@ -130,10 +152,12 @@ void add_validate_command(CLI::App& program, int& exit_code) {
   command
       ->add_option("--model", flags->models,
                    "a material to draw; may be repeated; all unless given")
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(model_names()));
   command
       ->add_option("--renderer", flags->renderers,
                    "a renderer to run; may be repeated; all unless given")
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(renderer_names()));
   command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
       ->capture_default_str();

@@ -8,13 +8,18 @@
 #include <mutex>
 
 #include "exporters/image_file.h"
+#include "scene/error.h"
 
 namespace lumaknot {
 namespace {
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+/// A renderer's name as a flag takes it: its letters, in lower case.
+std::string flag_name(const Renderer& renderer) {
+  std::string name;
+  for (const unsigned char c : renderer.name()) {
+    if (std::isalpha(c)) name += char(std::tolower(c));
+  }
+  return name;
 }
 
 std::vector<std::unique_ptr<Renderer>> all_renderers(const Programs& programs) {
@@ -117,8 +122,7 @@ Verdict verdict_of(const std::vector<Judgement>& judgements) {
 std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job) {
   auto all = all_renderers(job.programs);
   std::erase_if(all, [&](const auto& renderer) {
-    return !job.renderers.empty() &&
-           std::ranges::count(job.renderers, lower_case(renderer->name())) == 0;
+    return !job.renderers.empty() && std::ranges::count(job.renderers, flag_name(*renderer)) == 0;
   });
   return all;
 }
@@ -138,7 +142,7 @@ bool Judgement::drew_any() const {
 
 std::vector<std::string> renderer_names() {
   std::vector<std::string> names;
-  for (const auto& renderer : all_renderers({})) names.push_back(lower_case(renderer->name()));
+  for (const auto& renderer : all_renderers({})) names.push_back(flag_name(*renderer));
   return names;
 }
 
@@ -153,6 +157,10 @@ Validation validate(const ValidationJob& job, const std::function<void(const std
   Validation result;
   result.shots = shots_of(job);
   const Scene& scene = job.scene;
+  const Grid<Fragment> fragments = visible_fragments(scene);
+  if (std::ranges::none_of(fragments.pixels, &Fragment::covered)) {
+    throw Error("the camera sees nothing of the mesh; move camera.position or camera.target");
+  }
 
   // The other programs first: they take longest, and we are done before they are.
   const auto renderers = wanted_renderers(job);
@@ -170,7 +178,6 @@ Validation validate(const ValidationJob& job, const std::function<void(const std
     }));
   }
 
-  const Grid<Fragment> fragments = visible_fragments(scene);
   const Ours ours = draw_ours(scene, result.shots, fragments, result.own);
   promise.set_value(&ours);
   for (std::size_t i = 0; i < result.shots.size(); ++i) {

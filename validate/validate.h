@@ -15,7 +15,7 @@ namespace lumaknot {
 struct ValidationJob {
   Scene scene;                         ///< image.samples must be 1; see sample_by_sample()
   std::vector<Shot> finals;            ///< the materials to draw, by name
-  std::vector<std::string> renderers;  ///< names of those to run, lower case; empty: all
+  std::vector<std::string> renderers;  ///< those to run, from renderer_names(); empty: all
   Programs programs;
 };
 
@@ -56,14 +56,15 @@ struct Validation {
   Verdict verdict = Verdict::kNothingToCompare;
 };
 
-/// The lower-case names that ValidationJob::renderers may hold.
+/// The names that ValidationJob::renderers may hold: cycles, povray, eevee.
 std::vector<std::string> renderer_names();
 
 /// `scene` with each of its samples x samples samples a pixel made a pixel of its own.
 Scene sample_by_sample(Scene scene);
 
 /// Draws the job's shots with every renderer at the same time and compares as they finish.
-/// `told` gets a line whenever a renderer is done, one at a time. Throws Interrupted.
+/// `told` gets a line whenever a renderer is done, one at a time. Throws Interrupted, and Error
+/// when there is nothing to see.
 Validation validate(const ValidationJob& job,
                     const std::function<void(const std::string&)>& told = {});
 

@@ -176,7 +176,7 @@ TEST_F(Program, validate_without_renderers_says_so_in_its_exit_code_and_report) 
 TEST_F(Program, an_interrupt_ends_the_renderers_too_and_leaves_nothing) {
   write("povray", "#!/bin/sh\necho $$ > " + path("pid").string() + "\nexec sleep 600\n");
   fs::permissions(path("povray"), fs::perms::owner_all);
-  Process process({{LUMAKNOT_PROGRAM, "validate", "--renderer", "pov-ray", "--povray",
+  Process process({{LUMAKNOT_PROGRAM, "validate", "--renderer", "povray", "--povray",
                     path("povray").string(), "-o", "report"},
                    folder_.path(),
                    {}});
@@ -190,6 +190,11 @@ TEST_F(Program, an_interrupt_ends_the_renderers_too_and_leaves_nothing) {
   EXPECT_EQ(process.wait(std::chrono::seconds(30)).exit_code, 130);
   EXPECT_NE(::kill(pid, 0), 0) << "the renderer outlived us";
   for (const std::string& name : files()) EXPECT_FALSE(name.starts_with("lumaknot-")) << name;
+}
+
+TEST_F(Program, validate_refuses_a_scene_of_which_the_camera_sees_nothing) {
+  write("scene.json", R"({"camera": {"position": [0, -5, 0], "target": [0, -9, 0]}})");
+  expect_refused({"validate", "scene.json", "-o", "report"}, "the camera sees nothing");
 }
 
 TEST_F(Program, doctor_tells_how_to_get_what_is_missing) {

@@ -51,7 +51,7 @@ TEST(Validate, without_any_renderer_there_is_nothing_to_compare) {
 
 TEST(Validate, does_not_believe_a_program_that_ends_well_and_draws_nothing) {
   const PrivateFolder folder;
-  const Validation v = validate_with(script(folder, "povray", "exit 0"), {"pov-ray"});
+  const Validation v = validate_with(script(folder, "povray", "exit 0"), {"povray"});
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
   EXPECT_EQ(v.judgements.at(0).shots.at(0).drawn.status, Drawn::Status::kFailed);
 }
@@ -59,14 +59,14 @@ TEST(Validate, does_not_believe_a_program_that_ends_well_and_draws_nothing) {
 TEST(Validate, tells_the_last_line_of_a_program_that_fails) {
   const PrivateFolder folder;
   const Validation v = validate_with(
-      script(folder, "povray", "echo first; echo 'out of wool' >&2; exit 4"), {"pov-ray"});
+      script(folder, "povray", "echo first; echo 'out of wool' >&2; exit 4"), {"povray"});
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
   EXPECT_THAT(v.judgements.at(0).shots.at(0).drawn.why, HasSubstr("exit code 4: out of wool"));
 }
 
 TEST(Validate, kills_a_program_that_does_not_end) {
   const PrivateFolder folder;
-  const Validation v = validate_with(script(folder, "povray", "sleep 600"), {"pov-ray"}, 0.3);
+  const Validation v = validate_with(script(folder, "povray", "sleep 600"), {"povray"}, 0.3);
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
   EXPECT_THAT(v.judgements.at(0).shots.at(0).drawn.why, HasSubstr("time limit"));
 }
@@ -115,7 +115,7 @@ TEST(Report, json_holds_the_outcome_of_every_shot) {
 }
 
 TEST(Report, page_needs_nothing_else_and_trusts_no_name) {
-  const Validation v = validate_with("/nonexistent/povray", {"pov-ray"});
+  const Validation v = validate_with("/nonexistent/povray", {"povray"});
   const std::string page = report_html(v, {"<script>alert(1)</script>", "command"});
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, Not(HasSubstr("http:")));
