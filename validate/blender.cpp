@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <thread>
+#include <utility>
 
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -42,6 +44,14 @@ class Display {
   Process server_;
   std::string name_;
 };
+
+/// Eevee was written anew in Blender 4.2, and since then makes negative colours black. `version`
+/// reads "Blender 4.2.0" or the like.
+bool cuts_negative_colors(const std::string& version) {
+  int major = 0, minor = 0;
+  return std::sscanf(version.c_str(), "Blender %d.%d", &major, &minor) == 2 &&
+         std::pair(major, minor) >= std::pair(4, 2);
+}
 
 class Blender final : public Renderer {
  public:
@@ -110,6 +120,7 @@ class Blender final : public Renderer {
     rendering.seconds = ended.seconds;
     rendering.log = ended.log;
     rendering.version = line_with(ended.log, "Blender ");
+    rendering.limited = engine_ == "eevee" && cuts_negative_colors(rendering.version);
     const std::string bad = bad_end(ended);
     for (const Shot& shot : shots) {
       rendering.shots.push_back(bad.empty()

@@ -108,7 +108,8 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
 
 double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited) {
   const auto error = [limited](double mine, double yours) {
-    return std::abs((limited ? std::clamp(mine, 0.0, 1.0) : mine) - yours);
+    return limited ? std::abs(std::clamp(mine, 0.0, 1.0) - std::clamp(yours, 0.0, 1.0))
+                   : std::abs(mine - yours);
   };
   return std::max({error(ours.x, theirs.r), error(ours.y, theirs.g), error(ours.z, theirs.b)});
 }

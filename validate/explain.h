@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 6> kPixelClassNames{
 /// by more than two pixels' width.
 Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments);
 
-/// The largest difference of the three channels; with `limited`, after limiting `ours` to [0, 1].
+/// The largest difference of the three channels; with `limited`, after limiting both to [0, 1].
 double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited);
 
 /// What our image says of every comparison of one scene.
@@ -49,7 +49,7 @@ struct TheirPixel {
   Rgb color;
   double tolerance;  ///< of a channel
   double edge;       ///< pixels by which its sample may lie off the centre
-  bool limited;      ///< its colour was limited to [0, 1]
+  bool limited;      ///< colours are compared limited to [0, 1]
   bool search;       ///< whether samples off the centre are worth their time
 };
 

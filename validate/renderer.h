@@ -33,7 +33,7 @@ struct Rendering {
   std::vector<std::string> command;  ///< to run the same again; empty when nothing ran
   double seconds = 0;                ///< wall time of its own process
   std::string log;                   ///< what that process printed
-  bool limited = false;              ///< its images hold colours limited to [0, 1]
+  bool limited = false;              ///< it can't keep colours outside [0, 1]: compare limited ones
   std::vector<Drawn> shots;          ///< one for each asked for, in their order
 };
 
