@@ -30,7 +30,7 @@ struct Comparison {
   bool agrees() const { return exceeded.empty(); }
 };
 
-/// `theirs` against `ours`, our own image of `shot`. With `limited`, ours is limited to [0, 1]
+/// `theirs` against `ours`, our own image of `shot`. With `limited`, both are limited to [0, 1]
 /// first.
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
                    const Image& theirs, bool limited, const Limits& limits);
