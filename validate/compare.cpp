@@ -52,7 +52,6 @@ void check(const Limits& limits, Comparison& result) {
   };
   at_most("mean", result.mean, limits.mean);
   at_most("p99.9", result.p999, limits.p999);
-  at_most("max", result.max, limits.max);
   at_most("p99.99 without classed outliers", result.p9999_unclassed, limits.p9999_unclassed);
   at_most("unexplained outliers", double(result.classes[std::size_t(PixelClass::kUnexplained)]), 0);
 }

@@ -48,25 +48,54 @@ Vec3d gated(const Scene& scene, const Shot& shot, const Fragment& fragment) {
   return shade(scene, without_highlight(shot), fragment);
 }
 
+/// Our colour as a renderer draws it that turns normals to the viewer and gates highlights.
+Vec3d viewer_facing(const Scene& scene, const Shot& shot, Fragment fragment) {
+  if (dot(fragment.normal, scene.view.camera.position - fragment.position) < 0) {
+    fragment.normal = -fragment.normal;
+  }
+  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
+  return lit ? shade(scene, shot, fragment) : gated(scene, shot, fragment);
+}
+
+bool agrees(const Vec3d& ours, const TheirPixel& theirs) {
+  return channel_error(ours, theirs.color, theirs.limited) <= theirs.tolerance;
+}
+
+/// Whether each channel of theirs lies between the lowest and the highest of `colors`.
+bool lies_among(const std::vector<Vec3d>& colors, const TheirPixel& theirs) {
+  const auto shown = [&](double v) { return theirs.limited ? std::clamp(v, 0.0, 1.0) : v; };
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto of = [&](const Vec3d& c) { return shown(components(c)[channel]); };
+    const auto [low, high] = std::ranges::minmax(colors, {}, of);
+    const double value = of(to_vec(theirs.color));
+    if (value < of(low) - theirs.tolerance || value > of(high) + theirs.tolerance) return false;
+  }
+  return true;
+}
+
+/// Whether theirs lies among our colours of `fragments`, as we draw them or facing the viewer.
+bool lies_among(const Scene& scene, const Shot& shot, const std::vector<Fragment>& fragments,
+                const TheirPixel& theirs) {
+  std::vector<Vec3d> plain, facing;
+  for (const Fragment& f : fragments) {
+    if (!f.covered()) continue;
+    plain.push_back(shade(scene, shot, f));
+    facing.push_back(viewer_facing(scene, shot, f));
+  }
+  return !plain.empty() && (lies_among(plain, theirs) || lies_among(facing, theirs));
+}
+
 bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
                 const TheirPixel& theirs) {
   const auto* texture = std::get_if<TextureImage>(&scene.texture);
   if (!texture) return false;
   constexpr double kTexels = 0.01;
-  Vec3d low = shade(scene, shot, fragment), high = low;
-  for (const auto& [du, dv] : {Vec2d{1, 1}, Vec2d{1, -1}, Vec2d{-1, 1}, Vec2d{-1, -1}}) {
-    Fragment moved = fragment;
-    moved.uv.u += du * kTexels / texture->width;
-    moved.uv.v += dv * kTexels / texture->height;
-    const Vec3d c = shade(scene, shot, moved);
-    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+  std::vector<Fragment> moved(5, fragment);
+  for (std::size_t i = 0; i < 4; ++i) {
+    moved[i].uv.u += (i % 2 ? kTexels : -kTexels) / texture->width;
+    moved[i].uv.v += (i / 2 ? kTexels : -kTexels) / texture->height;
   }
-  const auto within = [&](double lowest, double highest, double value) {
-    return value >= lowest - theirs.tolerance && value <= highest + theirs.tolerance;
-  };
-  return within(low.x, high.x, theirs.color.r) && within(low.y, high.y, theirs.color.g) &&
-         within(low.z, high.z, theirs.color.b);
+  return lies_among(scene, shot, moved, theirs);
 }
 
 /// What the eight samples around a pixel's centre see, `edge` pixels off in x, in y or both.
@@ -123,31 +152,21 @@ Reference::Reference(const Scene& s, const Grid<Fragment>& f)
 PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
   const Scene& scene = reference.scene;
   const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
-  const auto agrees = [&](const Fragment& f) {
-    return f.covered() &&
-           channel_error(shade(scene, shot, f), theirs.color, theirs.limited) <= theirs.tolerance;
-  };
-  const auto agrees_gated = [&](const Fragment& f) {
-    const bool lit = dot(f.normal, scene.view.light.position - f.position) > 0;
-    return !lit &&
-           channel_error(gated(scene, shot, f), theirs.color, theirs.limited) <= theirs.tolerance;
-  };
-  const auto agrees_turned = [&](Fragment f) {
-    if (dot(f.normal, scene.view.camera.position - f.position) >= 0) return false;
-    f.normal = -f.normal;
-    return agrees(f) || agrees_gated(f);
-  };
-  if (agrees_gated(fragment)) return PixelClass::kGatedHighlight;
-  if (agrees_turned(fragment)) return PixelClass::kTurnedNormal;
+  const bool faces_away = dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
+  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
+  if (!lit && agrees(gated(scene, shot, fragment), theirs)) return PixelClass::kGatedHighlight;
+  if (faces_away && agrees(viewer_facing(scene, shot, fragment), theirs)) {
+    return PixelClass::kTurnedNormal;
+  }
   if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
   if (!theirs.search) return PixelClass::kUnexplained;
-  const std::vector<Fragment> moved = moved_samples(reference, theirs.place, theirs.edge);
-  if (std::ranges::any_of(moved, agrees)) return PixelClass::kSilhouette;
-  if (at_triangle_edge(fragment, moved)) {
-    const Fragment behind = behind_sample(reference, theirs.place);
-    if (agrees(behind) || agrees_turned(behind)) return PixelClass::kSlippedRay;
-  }
-  return PixelClass::kUnexplained;
+  std::vector<Fragment> moved = moved_samples(reference, theirs.place, theirs.edge);
+  const bool crosses = at_triangle_edge(fragment, moved);
+  moved.push_back(fragment);
+  if (lies_among(scene, shot, moved, theirs)) return PixelClass::kSilhouette;
+  const bool slips =
+      crosses && lies_among(scene, shot, {behind_sample(reference, theirs.place)}, theirs);
+  return slips ? PixelClass::kSlippedRay : PixelClass::kUnexplained;
 }
 
 bool explains_coverage(const Reference& reference, PixelPlace place, double edge) {

@@ -12,7 +12,8 @@ enum class PixelClass {
   kTurnedNormal,    ///< agrees once our normal, which faces away, is turned to the viewer
   kGatedHighlight,  ///< agrees once our highlight is left out where n.l <= 0
   kTexelEdge,       ///< lies among our colours within 1/100 texel
-  kSilhouette,      ///< agrees once our sample is moved, by at most what the limits grant
+  kSilhouette,      ///< lies among our colours at samples moved by at most what the limits grant:
+                    ///< the surface ends here, or is seen at a grazing angle
   kSlippedRay,  ///< agrees with what lies behind, the sample being as near to a triangle's edge:
                 ///< a ray tracer's ray passed between two triangles
   kUnexplained

@@ -11,7 +11,6 @@ constexpr std::array kLimits{
            .edge = 1e-3,
            .mean = 1e-4,
            .p999 = 2.5e-3,
-           .max = 5e-3,
            .outlier = 5e-3,
            .reason = "positions, normals and texture coordinates in float32: most where a texture "
                      "is seen at a grazing angle"},
@@ -25,7 +24,6 @@ constexpr std::array kLimits{
            .edge = 1.0 / 256,
            .mean = 5e-4,
            .p999 = 2.5e-3,
-           .max = 2e-2,
            .outlier = 2e-2,
            .reason = "vertices snapped to a grid of 1/256 pixel by the OpenGL rasteriser, and from "
                      "4.2 on half-float buffers; the texture is fetched texel by texel, since its "

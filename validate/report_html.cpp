@@ -24,10 +24,10 @@ std::string limit_text(std::string_view name, double limit) {
 }
 
 std::string limits_text(const Limits& l) {
-  return fmt::format("edges within {:.3g} pixel, {}{}{}{}unexplained 0. {}", l.edge,
-                     limit_text("mean", l.mean), limit_text("p99.9", l.p999),
-                     limit_text("max", l.max),
-                     limit_text("p99.99 without classed outliers", l.p9999_unclassed), l.reason);
+  return fmt::format(
+      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained 0. {}", l.edge,
+      limit_text("mean", l.mean), limit_text("p99.9", l.p999),
+      limit_text("p99.99 without classed outliers", l.p9999_unclassed), l.outlier, l.reason);
 }
 
 std::string details(const Judged& judged) {

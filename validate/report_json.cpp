@@ -64,7 +64,6 @@ Json limits_json(const Limits& l) {
   return {{"edge_pixels", l.edge},
           {"mean", limit_json(l.mean)},
           {"p99.9", limit_json(l.p999)},
-          {"max", limit_json(l.max)},
           {"p99.99_without_classed_outliers", limit_json(l.p9999_unclassed)},
           {"outlier", limit_json(l.outlier)},
           {"unexplained", 0},

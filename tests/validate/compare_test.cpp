@@ -12,8 +12,7 @@ namespace {
 using testing::final_shot;
 using testing::small_scene;
 
-constexpr Limits kLimits{
-    .renderer = "test", .edge = 1e-3, .max = 0.5, .outlier = 1e-3, .reason = "test"};
+constexpr Limits kLimits{.renderer = "test", .edge = 1e-3, .outlier = 1e-3, .reason = "test"};
 
 /// A scene with its fragments, for pictures that differ on purpose.
 struct Bench {
