@@ -19,7 +19,8 @@ struct Comparison {
   long long coverage_unexplained = 0;  ///< those where no edge passes by the sample
   long long inside = 0;
   double mean = 0, rmse = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
-  double p9999_unclassed = 0;  ///< p99.99 of the pixels inside that are no classed outlier
+  /// The same of the pixels inside that are no classed outlier; the limits judge these.
+  double mean_unclassed = 0, p999_unclassed = 0, p9999_unclassed = 0;
   PixelPlace max_at;
   long long outliers = 0;  ///< pixels covered in both whose error exceeds the limit for one
   std::array<long long, kPixelClassNames.size()> classes{};  ///< the outliers by class

@@ -37,24 +37,29 @@ bool at_silhouette(const Scene& scene, const Grid<Fragment>& fragments, double p
   return false;
 }
 
+bool faces_away(const Scene& scene, const Fragment& fragment) {
+  return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
+}
+
 Shot without_highlight(Shot shot) {
   shot.material.specular = 0;
   return shot;
 }
 
-/// Our colour where highlights are gated: none where the light is behind the surface.
-Vec3d gated(const Scene& scene, const Shot& shot, const Fragment& fragment) {
+/// The ways in which renderers depart from our formulas.
+struct Habits {
+  bool turns = false;  ///< normals that face away are turned to the viewer
+  bool gates = false;  ///< there is no highlight where n.l <= 0
+};
+constexpr Habits kAllHabits[] = {{false, false}, {false, true}, {true, false}, {true, true}};
+
+/// Our colour of the fragment as a renderer of these habits draws it.
+Vec3d drawn_with(Habits habits, const Scene& scene, const Shot& shot, Fragment fragment) {
+  if (habits.turns && faces_away(scene, fragment)) fragment.normal = -fragment.normal;
+  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
+  if (lit || !habits.gates) return shade(scene, shot, fragment);
   if (shot.stage == Stage::kSpecular) return {};
   return shade(scene, without_highlight(shot), fragment);
-}
-
-/// Our colour as a renderer draws it that turns normals to the viewer and gates highlights.
-Vec3d viewer_facing(const Scene& scene, const Shot& shot, Fragment fragment) {
-  if (dot(fragment.normal, scene.view.camera.position - fragment.position) < 0) {
-    fragment.normal = -fragment.normal;
-  }
-  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
-  return lit ? shade(scene, shot, fragment) : gated(scene, shot, fragment);
 }
 
 bool agrees(const Vec3d& ours, const TheirPixel& theirs) {
@@ -73,16 +78,16 @@ bool lies_among(const std::vector<Vec3d>& colors, const TheirPixel& theirs) {
   return true;
 }
 
-/// Whether theirs lies among our colours of `fragments`, as we draw them or facing the viewer.
+/// Whether theirs lies among our colours of `fragments`, drawn with any habits.
 bool lies_among(const Scene& scene, const Shot& shot, const std::vector<Fragment>& fragments,
                 const TheirPixel& theirs) {
-  std::vector<Vec3d> plain, facing;
-  for (const Fragment& f : fragments) {
-    if (!f.covered()) continue;
-    plain.push_back(shade(scene, shot, f));
-    facing.push_back(viewer_facing(scene, shot, f));
-  }
-  return !plain.empty() && (lies_among(plain, theirs) || lies_among(facing, theirs));
+  return std::ranges::any_of(kAllHabits, [&](Habits habits) {
+    std::vector<Vec3d> colors;
+    for (const Fragment& f : fragments) {
+      if (f.covered()) colors.push_back(drawn_with(habits, scene, shot, f));
+    }
+    return !colors.empty() && lies_among(colors, theirs);
+  });
 }
 
 bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
@@ -152,10 +157,11 @@ Reference::Reference(const Scene& s, const Grid<Fragment>& f)
 PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
   const Scene& scene = reference.scene;
   const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
-  const bool faces_away = dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
-  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
-  if (!lit && agrees(gated(scene, shot, fragment), theirs)) return PixelClass::kGatedHighlight;
-  if (faces_away && agrees(viewer_facing(scene, shot, fragment), theirs)) {
+  const auto agrees_with = [&](Habits habits) {
+    return agrees(drawn_with(habits, scene, shot, fragment), theirs);
+  };
+  if (agrees_with({.gates = true})) return PixelClass::kGatedHighlight;
+  if (agrees_with({.turns = true}) || agrees_with({.turns = true, .gates = true})) {
     return PixelClass::kTurnedNormal;
   }
   if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;

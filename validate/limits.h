@@ -12,9 +12,8 @@ struct Limits {
   std::string_view renderer;
   double edge = 0;  ///< pixels by which its samples may lie off the centre; a pixel covered in one
                     ///< image only needs an edge of the surface as near as that
-  double mean = kNone, p999 = kNone;  ///< of the errors inside
-  double p9999_unclassed = kNone;     ///< inside, without the outliers that have a class
-  double outlier = kNone;             ///< an error beyond it needs a class
+  double mean = kNone, p999 = kNone, p9999 = kNone;  ///< inside, without classed outliers
+  double outlier = kNone;                            ///< an error beyond it needs a class
   std::string_view reason;
 
   static constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -30,6 +30,8 @@ Json comparison_json(const Comparison& c) {
           {"p99", c.p99},
           {"p99.9", c.p999},
           {"p99.99", c.p9999},
+          {"mean_without_classed_outliers", c.mean_unclassed},
+          {"p99.9_without_classed_outliers", c.p999_unclassed},
           {"p99.99_without_classed_outliers", c.p9999_unclassed},
           {"max", c.max},
           {"max_at", place_json(c.max_at)},
@@ -64,7 +66,7 @@ Json limits_json(const Limits& l) {
   return {{"edge_pixels", l.edge},
           {"mean", limit_json(l.mean)},
           {"p99.9", limit_json(l.p999)},
-          {"p99.99_without_classed_outliers", limit_json(l.p9999_unclassed)},
+          {"p99.99", limit_json(l.p9999)},
           {"outlier", limit_json(l.outlier)},
           {"unexplained", 0},
           {"reason", l.reason}};

@@ -152,6 +152,9 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
   const Validation v = validate(job);
   for (const Judgement& judgement : v.judgements) {
     EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
+    for (const Judged& shot : judgement.shots) {
+      EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());
+    }
   }
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
 }
