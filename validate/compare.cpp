@@ -58,7 +58,8 @@ void check(const Limits& limits, Comparison& result) {
   at_most("mean", result.mean_unclassed, limits.mean);
   at_most("p99.9", result.p999_unclassed, limits.p999);
   at_most("p99.99", result.p9999_unclassed, limits.p9999);
-  at_most("unexplained outliers", double(result.classes[std::size_t(PixelClass::kUnexplained)]), 0);
+  at_most("unexplained outliers", double(result.classes[std::size_t(PixelClass::kUnexplained)]),
+          double(limits.unexplained));
 }
 
 }  // namespace

@@ -103,13 +103,16 @@ bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
   return lies_among(scene, shot, moved, theirs);
 }
 
-/// What the eight samples around a pixel's centre see, `edge` pixels off in x, in y or both.
+/// What the samples of a 5 x 5 grid about a pixel's centre see, at most `edge` pixels off in x and
+/// y.
 std::vector<Fragment> moved_samples(const Reference& reference, PixelPlace place, double edge) {
   std::vector<Fragment> samples;
-  for (int k = 0; k < 9; ++k) {
-    if (k == 4) continue;  // the centre itself
-    samples.push_back(reference.rasterizer.at(place.x + 0.5 + edge * (k % 3 - 1),
-                                              place.y + 0.5 + edge * (k / 3 - 1)));
+  for (int j = -2; j <= 2; ++j) {
+    for (int i = -2; i <= 2; ++i) {
+      if (i == 0 && j == 0) continue;  // the centre itself
+      samples.push_back(
+          reference.rasterizer.at(place.x + 0.5 + edge * i / 2, place.y + 0.5 + edge * j / 2));
+    }
   }
   return samples;
 }

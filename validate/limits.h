@@ -14,6 +14,7 @@ struct Limits {
                     ///< image only needs an edge of the surface as near as that
   double mean = kNone, p999 = kNone, p9999 = kNone;  ///< inside, without classed outliers
   double outlier = kNone;                            ///< an error beyond it needs a class
+  long long unexplained = 0;                         ///< outliers without a class
   std::string_view reason;
 
   static constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -25,9 +25,9 @@ std::string limit_text(std::string_view name, double limit) {
 
 std::string limits_text(const Limits& l) {
   return fmt::format(
-      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained 0. {}", l.edge,
-      limit_text("mean", l.mean), limit_text("p99.9", l.p999), limit_text("p99.99", l.p9999),
-      l.outlier, l.reason);
+      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained ≤ {}. {}",
+      l.edge, limit_text("mean", l.mean), limit_text("p99.9", l.p999),
+      limit_text("p99.99", l.p9999), l.outlier, l.unexplained, l.reason);
 }
 
 std::string details(const Judged& judged) {

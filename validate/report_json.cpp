@@ -68,7 +68,7 @@ Json limits_json(const Limits& l) {
           {"p99.9", limit_json(l.p999)},
           {"p99.99", limit_json(l.p9999)},
           {"outlier", limit_json(l.outlier)},
-          {"unexplained", 0},
+          {"unexplained", l.unexplained},
           {"reason", l.reason}};
 }
 
