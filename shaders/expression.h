@@ -45,8 +45,7 @@ using NodePtr = std::shared_ptr<const Node>;
 /// A recorded scalar.
 struct Scalar {
   NodePtr node;
-  Scalar(
-      double constant);  // NOLINT(google-explicit-constructor): numbers of a formula read as such
+  Scalar(double constant);  // implicit: numbers of a formula read as such
   explicit Scalar(NodePtr n) : node(std::move(n)) {}
 };
 
