@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,11 +32,5 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, std::
 
 /// The bytes of the file at `path`. Throws Error calling it `label`.
 std::string read_file(const std::filesystem::path& path, std::string_view label);
-
-/// The bytes of `values`, as they lie in memory.
-template <class T>
-std::string_view bytes_of(std::span<const T> values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
 
 }  // namespace lumaknot

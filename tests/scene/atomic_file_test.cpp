@@ -164,10 +164,5 @@ TEST_F(AtomicFileTest, reading_a_missing_file_or_a_folder_names_the_label_and_th
   EXPECT_THAT(error_of([&] { read_file(folder, "scene"); }), HasSubstr("folder"));
 }
 
-TEST(BytesOf, are_the_values_as_they_lie_in_memory) {
-  const std::array<std::uint16_t, 3> values{0x1111, 0x2222, 0x3333};
-  EXPECT_EQ(bytes_of(std::span<const std::uint16_t>(values)), "\x11\x11\x22\x22\x33\x33");
-}
-
 }  // namespace
 }  // namespace lumaknot
