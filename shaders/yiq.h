@@ -20,12 +20,6 @@ struct Yiq {
   S y, i, q;
 };
 
-/// Constants as vectors of the number type.
-template <class S>
-Vec<S> constant_vec(const Vec3d& v) {
-  return make_vec(S(v.x), S(v.y), S(v.z));
-}
-
 /// Eq. 4.
 template <class S>
 Yiq<S> yiq_from_rgb(const Vec<S>& rgb) {
