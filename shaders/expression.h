@@ -1,5 +1,10 @@
 /// The recorder: a number type that keeps what was computed instead of computing it. A lighting
 /// formula run on `Scalar` leaves a graph that a printer turns into another tool's language.
+///
+/// What a language may answer differently is refused while recording, with std::logic_error: the
+/// power or root of a number that may be negative, the logarithm of one that may be zero.
+/// Arithmetic on constants, and with 0 and 1, is done at once, so what a scene does not need leaves
+/// no trace; powers, roots and logarithms are never computed here.
 #pragma once
 
 #include <array>
@@ -12,8 +17,8 @@
 
 namespace lumaknot {
 
-/// What a node of the graph does. Scalars and vectors share the operations; `kScale` is vector by
-/// scalar, `kCombine` makes a vector of three scalars.
+/// What a node of the graph does. Scalars and vectors share the operations down to kSaturate,
+/// vectors component by component.
 enum class Op {
   kInput,      ///< a value of the surface, by `name`
   kParameter,  ///< a number of the scene, by `name`, now `value`
@@ -23,11 +28,23 @@ enum class Op {
   kMultiply,
   kMaximum,
   kMinimum,
+  kSaturate,
+  kDivide,  ///< this and the following: of scalars
   kPower,
-  kScale,
+  kExp,
+  kLog,
+  kSqrt,
+  kAbs,
+  kSelectLess,  ///< a < b ? x : y
+  kScale,       ///< vector by scalar
   kDot,
-  kUnit,
-  kCombine
+  kCross,
+  kUnit,     ///< zero stays zero
+  kCombine,  ///< a vector of three scalars
+  kGrey,     ///< a vector of one scalar thrice
+  kX,        ///< a vector's component
+  kY,
+  kZ
 };
 
 /// One step of a recorded formula. Immutable; arguments are shared where the formula shares them.
@@ -60,6 +77,7 @@ struct VecOf<Scalar> {
 };
 
 /// The surface's `name` (position, normal, texture).
+Scalar scalar_input(std::string name);
 ScalarVec vector_input(std::string name);
 
 /// Numbers of the scene that keep their name in the printed code.
@@ -69,22 +87,38 @@ ScalarVec vector_parameter(std::string name, const Vec3d& value);
 Scalar operator+(const Scalar& a, const Scalar& b);
 Scalar operator-(const Scalar& a, const Scalar& b);
 Scalar operator*(const Scalar& a, const Scalar& b);
+Scalar operator/(const Scalar& a, const Scalar& b);
 ScalarVec operator+(const ScalarVec& a, const ScalarVec& b);
 ScalarVec operator-(const ScalarVec& a, const ScalarVec& b);
 ScalarVec operator*(const ScalarVec& v, const Scalar& s);
 
 Scalar max(const Scalar& a, const Scalar& b);
+Scalar min(const Scalar& a, const Scalar& b);
+Scalar abs(const Scalar& x);
+Scalar sqrt(const Scalar& x);
+Scalar exp(const Scalar& x);
+Scalar log(const Scalar& x);
+Scalar power(const Scalar& base, const Scalar& exponent);
+Scalar select_less(const Scalar& a, const Scalar& b, const Scalar& x, const Scalar& y);
 Scalar saturate(const Scalar& x);
 ScalarVec saturate(const ScalarVec& v);
-Scalar power(const Scalar& base, const Scalar& exponent);
+ScalarVec modulate(const ScalarVec& a, const ScalarVec& b);
 Scalar dot(const ScalarVec& a, const ScalarVec& b);
+ScalarVec cross(const ScalarVec& a, const ScalarVec& b);
 ScalarVec unit(const ScalarVec& v);
 ScalarVec make_vec(const Scalar& x, const Scalar& y, const Scalar& z);
+ScalarVec grey(const Scalar& x);
+Scalar x_of(const ScalarVec& v);
+Scalar y_of(const ScalarVec& v);
+Scalar z_of(const ScalarVec& v);
 Scalar named(const char* name, const Scalar& x);
 ScalarVec named(const char* name, const ScalarVec& v);
 
-/// The nodes that `root` needs, arguments before their users, each once. They live as long as
-/// `root`.
-std::vector<const Node*> in_order(const NodePtr& root);
+/// The least value that `node` can take, as far as its operations tell; -infinity when they do not.
+double least_of(const Node& node);
+
+/// The nodes that `roots` need, arguments before their users, each once. They live as long as
+/// `roots`.
+std::vector<const Node*> in_order(const std::vector<NodePtr>& roots);
 
 }  // namespace lumaknot

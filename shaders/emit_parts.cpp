@@ -1,0 +1,52 @@
+#include "shaders/emit_parts.h"
+
+#include <fmt/format.h>
+
+#include "scene/presets.h"
+
+namespace lumaknot {
+
+std::string comment_of(std::string_view name) {
+  const ParameterInfo& info = parameter_info(name);
+  return fmt::format("// {} ({})", info.meaning, info.unit);
+}
+
+std::string literal(const ShaderParameter& parameter, const Dialect& dialect) {
+  const Vec3d& v = parameter.value;
+  if (!parameter.is_vector) return number_text(v.x);
+  return fmt::format(fmt::runtime(dialect.vector_of), number_text(v.x), number_text(v.y),
+                     number_text(v.z));
+}
+
+std::string vertex_functions(const Shader& shader, const Dialect& dialect) {
+  std::string text;
+  for (const ShaderFunction& function : varying_functions(shader)) {
+    text += function_text(function, dialect) + "\n";
+  }
+  return text;
+}
+
+std::string with_helpers(const std::string& code, const Dialect& dialect) {
+  return helpers_text(code, dialect) + code;
+}
+
+std::string kernel_call(const Shader& shader, const Dialect& dialect) {
+  const std::vector<ShaderFunction> varyings = varying_functions(shader);
+  const auto plain = [](const ShaderFunction::Input& input) {
+    return input.name.starts_with("texture") ? "kernel_texture" : "kernel_" + input.name;
+  };
+  return call_text(color_function(shader), dialect, [&](const ShaderFunction::Input& input) {
+    for (const ShaderFunction& varying : varyings) {
+      if (varying.name == input.name + "_at") return call_text(varying, dialect, plain);
+    }
+    return plain(input);
+  });
+}
+
+std::string_view texture_name(const Shader& shader) {
+  return shader.baked ? "axes_texture" : "color_texture";
+}
+
+std::string about_of(const Shader& shader) { return shader.name + ", made by lumaknot"; }
+
+}  // namespace lumaknot
