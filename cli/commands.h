@@ -19,6 +19,7 @@ void add_scene_command(CLI::App& program);
 void add_mesh_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_export_command(CLI::App& program);
+void add_shader_command(CLI::App& program);
 void add_validate_command(CLI::App& program, int& exit_code);
 void add_doctor_command(CLI::App& program);
 void add_completion_command(CLI::App& program);

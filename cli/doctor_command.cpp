@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/terminal.h"
-#include "validate/renderer.h"
+#include "validate/validate.h"
 
 namespace lumaknot {
 namespace {
@@ -18,8 +18,7 @@ struct DoctorFlags {
 
 void run(const DoctorFlags& flags) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& renderer : {cycles_renderer(flags.programs), povray_renderer(flags.programs),
-                               eevee_renderer(flags.programs)}) {
+  for (const auto& renderer : all_renderers(flags.programs)) {
     const Availability here = renderer->availability();
     json.push_back({{"renderer", renderer->name()},
                     {"found", here.found},

@@ -40,10 +40,12 @@ std::vector<std::string> write(const ExportFlags& flags, const Package& package)
 }
 
 std::vector<std::string> export_pov(const Scene& scene, const ExportFlags& flags) {
-  if (const auto shortfall = pov_shortfall(final_shot(scene)); shortfall && !flags.out.quiet) {
+  const Package package = pov_package(scene, fs::path(flags.output).stem().string());
+  if (const auto shortfall = pov_shortfall(scene.view, final_shot(scene));
+      shortfall && !flags.out.quiet) {
     fmt::print(stderr, "lumaknot: note: {}; the scene draws without\n", *shortfall);
   }
-  return write(flags, pov_package(scene, fs::path(flags.output).stem().string()));
+  return write(flags, package);
 }
 
 std::vector<std::string> export_python(const Scene& scene, const ExportFlags& flags) {

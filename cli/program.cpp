@@ -29,12 +29,14 @@ int run_program(int argc, char** argv) {
       "  lumaknot validate -o report/              draw Figure 2 everywhere and compare\n"
       "  lumaknot scene figure2 > scene.json\n"
       "  lumaknot render scene.json -o knot.png\n"
+      "  lumaknot shader yiq-phong --lang glsl-330 -o out/\n"
       "  lumaknot COMMAND --help                   what a command does, with examples");
   int exit_code = kExitAgreed;
   add_scene_command(program);
   add_mesh_command(program);
   add_render_command(program);
   add_export_command(program);
+  add_shader_command(program);
   add_validate_command(program, exit_code);
   add_doctor_command(program);
   add_completion_command(program);

@@ -34,15 +34,6 @@ TriangleMesh load_mesh(const SceneInput& input) {
                     input.spec.mesh);
 }
 
-Texture load_texture(const SceneInput& input) {
-  return std::visit(Overloaded{[](const Bricks&) -> Texture { return bricks(); },
-                               [](const PlainColor& color) -> Texture { return color.rgb; },
-                               [&](const TextureFile& file) -> Texture {
-                                 return read_texture(input.folder / file.path, "texture.file");
-                               }},
-                    input.spec.texture);
-}
-
 }  // namespace
 
 SceneInput read_scene(const std::string& source) {
@@ -57,6 +48,15 @@ SceneInput read_scene(const std::string& source) {
         "scene {} is neither a file nor built in; `lumaknot scene --list` names those", source));
   }
   return {scene_from_json(read_file(source, "scene"), source), fs::path(source).parent_path()};
+}
+
+Texture load_texture(const SceneInput& input) {
+  return std::visit(Overloaded{[](const Bricks&) -> Texture { return bricks(); },
+                               [](const PlainColor& color) -> Texture { return color.rgb; },
+                               [&](const TextureFile& file) -> Texture {
+                                 return read_texture(input.folder / file.path, "texture.file");
+                               }},
+                    input.spec.texture);
 }
 
 Scene load_scene(const SceneInput& input) {

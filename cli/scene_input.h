@@ -18,6 +18,9 @@ struct SceneInput {
 /// is no such file. Throws Error.
 SceneInput read_scene(const std::string& source);
 
+/// The scene's texture made or read. Throws Error.
+Texture load_texture(const SceneInput& input);
+
 /// The scene in memory: its mesh built or read, its texture made or read. Throws Error.
 Scene load_scene(const SceneInput& input);
 

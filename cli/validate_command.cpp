@@ -37,8 +37,11 @@ struct ValidateFlags {
 std::vector<Shot> finals(const Material& own, const std::vector<std::string>& models) {
   std::vector<Shot> shots;
   if (models.empty()) {
-    if (formula_name(own) == "custom") shots.push_back({"scene", Stage::kFinal, own});
-    for (const NamedMaterial& m : named_materials()) {
+    const auto is_own = [&](const NamedMaterial& m) { return m.name == formula_name(own); };
+    if (std::ranges::none_of(paper_materials(), is_own)) {
+      shots.push_back({"scene", Stage::kFinal, own});
+    }
+    for (const NamedMaterial& m : paper_materials()) {
       shots.push_back({std::string(m.name), Stage::kFinal, *with_formula(own, m.name)});
     }
   }
@@ -128,7 +131,8 @@ int run(ValidateFlags flags) {
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names{"scene"};
-  for (const NamedMaterial& m : named_materials()) names.emplace_back(m.name);
+  for (const NamedMaterial& m : paper_materials()) names.emplace_back(m.name);
+  std::ranges::copy(formula_names(), std::back_inserter(names));
   return names;
 }
 
@@ -155,8 +159,10 @@ void add_validate_command(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(model_names()));
   command
-      ->add_option("--renderer", flags->renderers,
-                   "a renderer to run; may be repeated; all unless given")
+      ->add_option("--renderer,--against", flags->renderers,
+                   "renderers to run, divided by commas; unless given cycles, povray, eevee, gl, "
+                   "vulkan")
+      ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(renderer_names()));
   command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
@@ -168,6 +174,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
       "Examples:\n"
       "  lumaknot validate -o report/\n"
       "  lumaknot validate scene.json --model scene --renderer povray -o report/\n"
+      "  lumaknot validate --model cielab-cook-torrance --against gl,vulkan -o report/\n"
       "  lumaknot validate figure1-back --blender /opt/blender-4.2/blender -o report/");
   command->callback([flags, &exit_code] {
     const InterruptGuard guard;

@@ -160,7 +160,10 @@ void Rasterizer::draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d
 
 Fragment Rasterizer::fragment(std::uint32_t triangle, double depth,
                               const std::array<double, 3>& weights) const {
-  Fragment result{.triangle = triangle, .depth = depth, .position = {}, .normal = {}, .uv = {}};
+  Fragment result;
+  result.triangle = triangle;
+  result.depth = depth;
+  result.weights = weights;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = mesh_.triangles[triangle][i];
     result.position = result.position + mesh_.positions[v] * weights[i];

@@ -18,6 +18,7 @@ struct Fragment {
   double depth = 0;            ///< along the camera's axis
   Vec3d position, normal;      ///< world; the normal as interpolated
   Vec2d uv;
+  std::array<double, 3> weights{};  ///< of the triangle's corners
 
   bool covered() const { return triangle >= 0; }
 };

@@ -13,17 +13,59 @@ namespace {
 
 constexpr int kBandHeight = 16;  // rows of pixels handed to a thread at once
 
-/// Averages each samples x samples block of shaded fragments into rows of `image` from `row` on.
-void resolve(const Scene& scene, const Shot& shot, const Grid<Fragment>& band, int row,
-             Image& image) {
-  const int n = scene.view.image.samples;
+/// A shot ready to be computed at any number of fragments.
+class Shading {
+ public:
+  Shading(const Scene& scene, const Shot& shot)
+      : scene_(scene),
+        shot_(shot),
+        lighting_(lighting_of<double>(scene.view, shot.material)),
+        needs_texture_(shot.stage == Stage::kTexture || shot.stage == Stage::kFinal) {}
+
+  Vec3d color(const Fragment& fragment) const {
+    if (!fragment.covered()) return {};
+    Vec3d texture;
+    if (needs_texture_) {
+      texture = texture_value(texture_color(scene_.texture, fragment.uv), shot_.material);
+    }
+    if (shot_.stage == Stage::kTexture) return stage_color(texture, {}, lighting_, shot_);
+    const bool at_vertices = shot_.material.rate == Rate::kVertex;
+    const Terms<double> terms =
+        at_vertices ? interpolated_terms(fragment) : terms_at({fragment.position, fragment.normal});
+    return stage_color(texture, terms, lighting_, shot_);
+  }
+
+ private:
+  Terms<double> terms_at(const SurfacePoint<double>& point) const {
+    return surface_terms(point, lighting_.eye_position, lighting_.lights, lighting_.model,
+                         shot_.material);
+  }
+  Terms<double> interpolated_terms(const Fragment& fragment) const {
+    Terms<double> sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = scene_.mesh.triangles[std::size_t(fragment.triangle)][i];
+      const Terms<double> corner = terms_at({scene_.mesh.positions[v], scene_.mesh.normals[v]});
+      sum.diffuse = sum.diffuse + corner.diffuse * fragment.weights[i];
+      sum.specular = sum.specular + corner.specular * fragment.weights[i];
+    }
+    return sum;
+  }
+
+  const Scene& scene_;
+  const Shot& shot_;
+  Lighting<double> lighting_;
+  bool needs_texture_;
+};
+
+/// Averages each n x n block of shaded fragments into rows of `image` from `row` on.
+void resolve(const Shading& shading, int n, const Grid<Fragment>& band, int row, Image& image) {
   for (int y = 0; y < band.height / n; ++y) {
     for (int x = 0; x < image.width; ++x) {
       Vec3d sum;
       int covered = 0;
       for (int s = 0; s < n * n; ++s) {
         const Fragment& fragment = band.at(x * n + s % n, y * n + s / n);
-        sum = sum + shade(scene, shot, fragment);
+        sum = sum + shading.color(fragment);
         covered += fragment.covered();
       }
       const double samples = double(n) * n;
@@ -35,10 +77,7 @@ void resolve(const Scene& scene, const Shot& shot, const Grid<Fragment>& band, i
 }  // namespace
 
 Vec3d shade(const Scene& scene, const Shot& shot, const Fragment& fragment) {
-  if (!fragment.covered()) return {};
-  const SurfacePoint<double> point{fragment.position, fragment.normal,
-                                   texture_color(scene.texture, fragment.uv)};
-  return stage_color(point, lighting_of<double>(scene.view, shot.material), shot);
+  return Shading(scene, shot).color(fragment);
 }
 
 Grid<Fragment> visible_fragments(const Scene& scene) {
@@ -54,10 +93,11 @@ Grid<Fragment> visible_fragments(const Scene& scene) {
 }
 
 Image shade_all(const Scene& scene, const Shot& shot, const Grid<Fragment>& fragments) {
+  const Shading shading(scene, shot);
   Image image(fragments.width, fragments.height);
   oneapi::tbb::parallel_for(std::size_t{0}, fragments.pixels.size(), [&](std::size_t i) {
     const Fragment& fragment = fragments.pixels[i];
-    image.pixels[i] = {to_rgb(shade(scene, shot, fragment)), fragment.covered() ? 1.0f : 0.0f};
+    image.pixels[i] = {to_rgb(shading.color(fragment)), fragment.covered() ? 1.0f : 0.0f};
   });
   return image;
 }
@@ -69,10 +109,9 @@ Image compose(const Scene& scene, const Shot& shot, const Image& texture, const 
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float coverage = texture.pixels[i].coverage;
     if (coverage == 0) continue;
-    const Terms<double> terms{diffuse.pixels[i].color.r, specular.pixels[i].color.r};
-    const Vec3d color = lit_color(to_vec(texture.pixels[i].color), terms, lighting,
-                                  shot.material.space, shot.material.clamp);
-    image.pixels[i] = {to_rgb(color), coverage};
+    const Terms<double> terms{to_vec(diffuse.pixels[i].color), to_vec(specular.pixels[i].color)};
+    const Vec3d value = texture_value(to_vec(texture.pixels[i].color), shot.material);
+    image.pixels[i] = {to_rgb(stage_color(value, terms, lighting, shot)), coverage};
   }
   return image;
 }
@@ -84,11 +123,12 @@ Image render(const Scene& scene, const Progress& progress) {
   const Rasterizer rasterizer(scene.mesh, scene.view.camera, spec.width * n, spec.height * n,
                               rows * n);
   const Shot shot{"final", Stage::kFinal, scene.view.material};
+  const Shading shading(scene, shot);
   Image image(spec.width, spec.height);
   std::mutex reporting;
   int finished = 0;
   oneapi::tbb::parallel_for(0, rasterizer.bands(), [&](int b) {
-    resolve(scene, shot, rasterizer.band(b), b * rows, image);
+    resolve(shading, n, rasterizer.band(b), b * rows, image);
     if (!progress) return;
     const std::lock_guard lock(reporting);
     progress(double(++finished) / rasterizer.bands());

@@ -55,6 +55,61 @@ void check_camera(const Camera& camera) {
   }
 }
 
+/// The checks of one light that need more than one number.
+class LightCheck {
+ public:
+  explicit LightCheck(std::size_t index) : path_(fmt::format("lights[{}]", index)) {}
+
+  void operator()(const PointLight& l) const { check_falloff("point", l.falloff); }
+  void operator()(const DirectionalLight& l) const { check_direction("directional", l.direction); }
+  void operator()(const SpotLight& l) const {
+    check_direction("spot", l.direction);
+    check_falloff("spot", l.falloff);
+    constexpr double kLeastEdge = 0.1;  // narrower, and float can't tell the two cosines apart
+    if (l.outer_degrees - l.inner_degrees >= kLeastEdge) return;
+    throw Error(fmt::format(
+        "{}.spot.outer_degrees must be at least {} more than inner_degrees, got {} and {}", path_,
+        kLeastEdge, l.outer_degrees, l.inner_degrees));
+  }
+
+ private:
+  void check_direction(std::string_view kind, const Vec3d& direction) const {
+    const double size = length(direction);
+    if (size >= kLeastLength && size <= kMostLength) return;
+    throw Error(fmt::format("{}.{}.direction must be a vector of length {} to {}, got [{}, {}, {}]",
+                            path_, kind, kLeastLength, kMostLength, direction.x, direction.y,
+                            direction.z));
+  }
+  void check_falloff(std::string_view kind, const Falloff& f) const {
+    constexpr double kLeast = 1e-6;  // as the formula guards its division
+    if (f.constant + f.linear + f.quadratic >= kLeast) return;
+    throw Error(fmt::format("{}.{}: constant, linear and quadratic must not all be 0 (sum >= {})",
+                            path_, kind, kLeast));
+  }
+  std::string path_;
+};
+
+void check_material(const Material& material) {
+  const auto quoted = [](Space space) { return kSpaceNames[std::size_t(space)]; };
+  if (material.space == Space::kRgb && material.luma_offset != 0) {
+    throw Error(fmt::format(
+        "material.luma_offset must be 0 in space \"rgb\", got {}; or set material.space to \"yiq\"",
+        material.luma_offset));
+  }
+  if (material.form != Form::kMatrices && !is_linear(material.space)) {
+    throw Error(
+        fmt::format("material.form \"{}\" needs a linear space of brightness (yiq, yuv601, "
+                    "yuv709), got \"{}\"; "
+                    "or set material.form to \"matrices\"",
+                    kFormNames[std::size_t(material.form)], quoted(material.space)));
+  }
+  constexpr double kSmoothest = 0.04;  // its highlight is 6e-4 radians wide
+  if (material.model == Model::kCookTorrance && material.roughness < kSmoothest) {
+    throw Error(fmt::format("material.roughness must be >= {} for cook-torrance, got {}",
+                            kSmoothest, material.roughness));
+  }
+}
+
 }  // namespace
 
 void check_integer(const std::string& label, long long value, IntRange range) {
@@ -104,11 +159,9 @@ void check_samples(const ImageSpec& image, long long limit) {
 void check_scene(const SceneSpec& spec) {
   if (const auto* knot = std::get_if<KnotSpec>(&spec.mesh)) check_knot(*knot, "mesh.knot.");
   check_camera(spec.view.camera);
-  const Material& material = spec.view.material;
-  if (material.space == Space::kRgb && material.luma_offset != 0) {
-    throw Error(fmt::format(
-        "material.luma_offset must be 0 in space \"rgb\", got {}; or set material.space to \"yiq\"",
-        material.luma_offset));
+  check_material(spec.view.material);
+  for (std::size_t i = 0; i < spec.view.lights.size(); ++i) {
+    std::visit(LightCheck(i), spec.view.lights[i]);
   }
   const ImageSpec& image = spec.view.image;
   check_samples({image.width, image.height, 1}, kMostPixels);

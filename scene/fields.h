@@ -5,8 +5,9 @@
 /// A visitor has the members
 ///   integer(key, int&, IntRange, about), number(key, double&, Bound, about),
 ///   vector(key, Vec3d&, about), color(key, Vec3d&, about), text(key, std::string&, about),
-///   constant(key, value, about), choice(key, Enum&, names, about), object(key, Struct&, about)
-///   and one_of(key, variant&, about), which visit_value() the chosen alternative.
+///   constant(key, value, about), choice(key, Enum&, names, about), object(key, Struct&, about),
+///   one_of(key, variant&, about), which visit_value() the chosen alternative,
+///   and list(key, vector<variant>&, most, about), each element as one_of.
 #pragma once
 
 #include <array>
@@ -35,10 +36,18 @@ inline constexpr Bound kPositive{.min = 0, .open_min = true};
 inline constexpr Bound kNotNegative{.min = 0};
 
 /// The names of an enumeration's values, in their order.
-inline constexpr std::array<std::string_view, 1> kModelNames{"phong"};
-inline constexpr std::array<std::string_view, 2> kSpaceNames{"rgb", "yiq"};
+inline constexpr std::array<std::string_view, 5> kModelNames{"phong", "blinn-phong", "minnaert",
+                                                             "oren-nayar", "cook-torrance"};
+inline constexpr std::array<std::string_view, 8> kSpaceNames{"rgb",    "yiq",    "yuv601", "yuv709",
+                                                             "cielab", "cieluv", "din99",  "atd95"};
+inline constexpr std::array<std::string_view, 3> kFormNames{"matrices", "collapsed", "baked"};
 inline constexpr std::array<std::string_view, 2> kClampNames{"free", "table1"};
 inline constexpr std::array<std::string_view, 2> kNormalNames{"unit", "interpolated"};
+inline constexpr std::array<std::string_view, 3> kGamutNames{"free", "clamp", "chroma"};
+inline constexpr std::array<std::string_view, 2> kHighlightNames{"free", "gated"};
+inline constexpr std::array<std::string_view, 2> kRateNames{"pixel", "vertex"};
+
+inline constexpr std::size_t kMostLights = 16;
 
 template <class V>
 void visit_fields(V& v, KnotSpec& k) {
@@ -63,20 +72,65 @@ void visit_fields(V& v, Camera& c) {
 }
 
 template <class V>
+void visit_fields(V& v, LightColor& c) {
+  v.color("color", c.rgb, "of the light, r'g'b'");
+  v.number("intensity", c.intensity, kNotNegative, "times the colour");
+}
+
+template <class V>
+void visit_fields(V& v, Falloff& f) {
+  v.number("constant", f.constant, kNotNegative, "of 1 / (constant + linear d + quadratic d^2)");
+  v.number("linear", f.linear, kNotNegative, "per unit of distance d");
+  v.number("quadratic", f.quadratic, kNotNegative, "per unit of distance, squared");
+}
+
+template <class V>
 void visit_fields(V& v, PointLight& l) {
-  v.vector("position", l.position, "of the point light");
+  v.vector("position", l.position, "of the lamp");
+  visit_fields(v, l.color);
+  visit_fields(v, l.falloff);
+}
+
+template <class V>
+void visit_fields(V& v, DirectionalLight& l) {
+  v.vector("direction", l.direction, "in which it shines");
+  visit_fields(v, l.color);
+}
+
+template <class V>
+void visit_fields(V& v, SpotLight& l) {
+  v.vector("position", l.position, "of the lamp");
+  v.vector("direction", l.direction, "in which it shines");
+  v.number("inner_degrees", l.inner_degrees, {.min = 0, .max = 180},
+           "full within this angle of the axis");
+  v.number("outer_degrees", l.outer_degrees, {.min = 0, .max = 180},
+           "none beyond this angle of the axis");
+  visit_fields(v, l.color);
+  visit_fields(v, l.falloff);
 }
 
 template <class V>
 void visit_fields(V& v, Material& m) {
   v.choice("model", m.model, kModelNames, "the lighting model");
-  v.choice("space", m.space, kSpaceNames, "where light acts: every channel, or luma alone");
-  v.number("shininess", m.shininess, kNotNegative, "exponent of the highlight");
+  v.choice("space", m.space, kSpaceNames, "where light acts: every channel, or brightness alone");
+  v.choice("form", m.form, kFormNames, "how the colour gets into the space and back");
+  v.number("shininess", m.shininess, kNotNegative, "exponent of Phong's and Blinn's highlight");
+  v.number("roughness", m.roughness, {.min = 0, .max = 1.57},
+           "oren-nayar: sigma, radians; cook-torrance: square root of alpha");
+  v.number("reflectance", m.reflectance, {.min = 0, .max = 1}, "cook-torrance: head on, F0");
+  v.number("darkness", m.darkness, {.min = 0, .max = 10}, "minnaert: exponent, 1 is Lambert");
   v.number("diffuse", m.diffuse, kNotNegative, "weight of the diffuse term");
   v.number("specular", m.specular, kNotNegative, "weight of the specular term");
-  v.number("luma_offset", m.luma_offset, {}, "added to the lit luma; zero in space rgb");
+  v.color("ambient_color", m.ambient_color, "of the surface in ambient light");
+  v.color("diffuse_color", m.diffuse_color, "of the surface's diffuse term");
+  v.color("specular_color", m.specular_color, "of the highlights");
+  v.color("emissive", m.emissive, "what the surface sends out by itself");
+  v.number("luma_offset", m.luma_offset, {}, "added to the lit brightness; zero in space rgb");
   v.choice("clamp", m.clamp, kClampNames, "clamps of the paper's Table 1, or none");
+  v.choice("gamut", m.gamut, kGamutNames, "what becomes of colours outside [0, 1]");
   v.choice("normal", m.normal, kNormalNames, "renormalised a pixel, or as interpolated");
+  v.choice("highlights", m.highlights, kHighlightNames, "gated: none where n.l <= 0");
+  v.choice("rate", m.rate, kRateNames, "light computed a pixel, or a vertex and interpolated");
 }
 
 template <class V>
@@ -91,8 +145,9 @@ void visit_fields(V& v, SceneSpec& s) {
   v.one_of("mesh", s.mesh, "what is drawn");
   v.one_of("texture", s.texture, "the surface's colour");
   v.object("camera", s.view.camera, "a pinhole camera; right-handed, +Z up");
-  v.object("light", s.view.light, "one white point light, no falloff");
+  v.list("lights", s.view.lights, kMostLights, "the lamps");
   v.number("ambient", s.view.ambient, kNotNegative, "ambient light");
+  v.color("ambient_color", s.view.ambient_color, "of the ambient light, r'g'b'");
   v.object("material", s.view.material, "how the surface answers the light");
   v.object("image", s.view.image, "the picture's size and samples");
 }
@@ -116,6 +171,19 @@ void visit_value(V& v, TextureFile& f) {
 template <class V>
 void visit_value(V& v, PlainColor& c) {
   v.color("color", c.rgb, "one r'g'b' colour, components in [0, 1]");
+}
+
+template <class V>
+void visit_value(V& v, PointLight& l) {
+  v.object("point", l, "a lamp that shines in all directions");
+}
+template <class V>
+void visit_value(V& v, DirectionalLight& l) {
+  v.object("directional", l, "a lamp at infinity");
+}
+template <class V>
+void visit_value(V& v, SpotLight& l) {
+  v.object("spot", l, "a lamp with a cone");
 }
 
 }  // namespace lumaknot

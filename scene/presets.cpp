@@ -1,28 +1,63 @@
 #include "scene/presets.h"
 
-#include <algorithm>
+#include "scene/fields.h"
 
 namespace lumaknot {
 namespace {
 
-Material table1() {
-  Material m;
-  m.space = Space::kYiq;
-  m.luma_offset = -0.1;
-  m.clamp = Clamp::kTable1;
-  m.normal = NormalUse::kInterpolated;
-  return m;
-}
+/// How a space is used: one of the words that a formula's name begins with.
+struct SpaceUse {
+  std::string_view name;
+  Space space;
+  Form form = Form::kMatrices;
+  bool table1 = false;
+};
 
-Material eq6() {
-  Material m;
-  m.space = Space::kYiq;
-  return m;
+constexpr SpaceUse kSpaceUses[] = {{"rgb", Space::kRgb},
+                                   {"yiq", Space::kYiq},
+                                   {"yiq-table1", Space::kYiq, Form::kMatrices, true},
+                                   {"yiq-collapsed", Space::kYiq, Form::kCollapsed},
+                                   {"yiq-baked", Space::kYiq, Form::kBaked},
+                                   {"yuv601", Space::kYuv601},
+                                   {"yuv709", Space::kYuv709},
+                                   {"cielab", Space::kCielab},
+                                   {"cieluv", Space::kCieluv},
+                                   {"din99", Space::kDin99},
+                                   {"atd95", Space::kAtd95}};
+
+/// `base` with the formula of `use` and `model`.
+Material with_use(Material base, const SpaceUse& use, Model model) {
+  base.model = model;
+  base.space = use.space;
+  base.form = use.form;
+  base.luma_offset = use.table1 ? -0.1 : 0;
+  base.clamp = use.table1 ? Clamp::kTable1 : Clamp::kFree;
+  base.normal = use.table1 ? NormalUse::kInterpolated : NormalUse::kUnit;
+  return base;
 }
 
 bool same_formula(const Material& a, const Material& b) {
-  return a.model == b.model && a.space == b.space && a.luma_offset == b.luma_offset &&
-         a.clamp == b.clamp && a.normal == b.normal;
+  return a.model == b.model && a.space == b.space && a.form == b.form &&
+         a.luma_offset == b.luma_offset && a.clamp == b.clamp && a.normal == b.normal;
+}
+
+/// Calls `visit(name, use, model)` for every formula until it returns true.
+template <class F>
+void find_formula(F visit) {
+  for (const SpaceUse& use : kSpaceUses) {
+    for (std::size_t model = 0; model < kModelNames.size(); ++model) {
+      const std::string name = std::string(use.name) + "-" + std::string(kModelNames[model]);
+      if (visit(name, use, Model(model))) return;
+    }
+  }
+}
+
+/// The full name of a formula that the paper's short names stand for.
+std::string_view full_name(std::string_view name) {
+  for (const NamedMaterial& m : paper_materials()) {
+    if (m.name == name) return m.formula;
+  }
+  return name;
 }
 
 /// Figure 2: the knot whose counts the paper gives, bricks, one light, 720 x 720.
@@ -36,7 +71,7 @@ SceneSpec figure2() {
 
 SceneSpec figure1_back() {
   SceneSpec scene = figure2();
-  scene.view.light.position = {1.5, 4.0, 1.0};
+  scene.view.lights = {PointLight{.position = {1.5, 4.0, 1.0}, .color = {}, .falloff = {}}};
   return scene;
 }
 
@@ -49,30 +84,45 @@ SceneSpec figure1_specular() {
 
 }  // namespace
 
-const std::array<NamedMaterial, 3>& named_materials() {
+const std::array<NamedMaterial, 3>& paper_materials() {
   static const std::array<NamedMaterial, 3> kMaterials{{
-      {"phong", "classical Phong, eq. 3: light acts on every channel", Material{}},
-      {"yiq-table1", "YIQ as the paper's HLSL listing: clamps, -0.1, interpolated normal",
-       table1()},
-      {"yiq-eq6", "YIQ as the paper's eq. 6-8: light acts on luma alone, no clamp", eq6()},
+      {"phong", "rgb-phong", "classical Phong, eq. 3: light acts on every channel"},
+      {"yiq-table1", "yiq-table1-phong",
+       "YIQ as the paper's HLSL listing: clamps, -0.1, interpolated normal"},
+      {"yiq-eq6", "yiq-phong", "YIQ as the paper's eq. 6-8: light acts on luma alone, no clamp"},
   }};
   return kMaterials;
 }
 
+std::vector<std::string> formula_names() {
+  std::vector<std::string> names;
+  find_formula([&](const std::string& name, const SpaceUse&, Model) {
+    names.push_back(name);
+    return false;
+  });
+  return names;
+}
+
 std::optional<Material> with_formula(const Material& base, std::string_view name) {
-  const auto found = std::ranges::find(named_materials(), name, &NamedMaterial::name);
-  if (found == named_materials().end()) return std::nullopt;
-  Material result = found->material;
-  result.shininess = base.shininess;
-  result.diffuse = base.diffuse;
-  result.specular = base.specular;
+  std::optional<Material> result;
+  find_formula([&](const std::string& each, const SpaceUse& use, Model model) {
+    if (each == full_name(name)) result = with_use(base, use, model);
+    return result.has_value();
+  });
   return result;
 }
 
-std::string_view formula_name(const Material& material) {
-  const auto found = std::ranges::find_if(
-      named_materials(), [&](const auto& m) { return same_formula(m.material, material); });
-  return found == named_materials().end() ? "custom" : found->name;
+std::string formula_name(const Material& material) {
+  std::string found = "custom";
+  find_formula([&](const std::string& name, const SpaceUse& use, Model model) {
+    const bool same = same_formula(with_use(material, use, model), material);
+    if (same) found = name;
+    return same;
+  });
+  for (const NamedMaterial& m : paper_materials()) {
+    if (m.formula == found) return std::string(m.name);
+  }
+  return found;
 }
 
 const std::array<NamedScene, 4>& named_scenes() {

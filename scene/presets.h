@@ -3,29 +3,35 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/scene.h"
 
 namespace lumaknot {
 
-/// A material by name.
+/// One of the paper's materials.
 struct NamedMaterial {
   std::string_view name;
+  std::string_view formula;  ///< one of formula_names()
   std::string_view about;
-  Material material;
 };
 
 /// The paper's lighting: `phong` (eq. 3), `yiq-table1` (the HLSL listing with its clamps, its -0.1
 /// and its unnormalised normal) and `yiq-eq6` (eq. 6-8 as printed).
-const std::array<NamedMaterial, 3>& named_materials();
+const std::array<NamedMaterial, 3>& paper_materials();
 
-/// `base` with the formula of the material called `name`; shininess and weights stay as they are.
-/// Nothing when there is no such name.
+/// Every lighting formula by name, a space and a model: "rgb-phong", "yiq-table1-minnaert",
+/// "cielab-cook-torrance", ...
+std::vector<std::string> formula_names();
+
+/// `base` with the formula called `name`, one of formula_names() or a paper material's; its numbers
+/// stay as they are. Nothing when there is no such name.
 std::optional<Material> with_formula(const Material& base, std::string_view name);
 
-/// The name of `material`'s formula, or "custom".
-std::string_view formula_name(const Material& material);
+/// The name of `material`'s formula, a paper material's where there is one, or "custom".
+std::string formula_name(const Material& material);
 
 /// A scene by name.
 struct NamedScene {

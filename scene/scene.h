@@ -4,6 +4,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scene/image.h"
 #include "scene/triangle_mesh.h"
@@ -54,13 +55,67 @@ struct Camera {
   double fov_degrees = 45;  ///< vertical field of view, (0, 180)
 };
 
-/// A white point light of strength one that does not fall off with distance.
-struct PointLight {
-  Vec3d position{-1.5, -3.0, 3.5};
+/// How a light weakens at distance d: 1 / (constant + linear d + quadratic d^2). Not all zero.
+struct Falloff {
+  double constant = 1, linear = 0, quadratic = 0;  ///< each >= 0
 };
 
-enum class Model { kPhong };      ///< paper eq. 1 and 2
-enum class Space { kRgb, kYiq };  ///< where light acts: every channel (eq. 3) or luma alone (6-8)
+/// What every light has. A coloured light acts on each channel in space rgb, and with the
+/// brightness of its colour (white: 1) in a space where light acts on brightness alone.
+struct LightColor {
+  Vec3d rgb{1, 1, 1};    ///< components in [0, 1]
+  double intensity = 1;  ///< >= 0
+};
+
+/// A lamp that shines in all directions.
+struct PointLight {
+  Vec3d position{-1.5, -3.0, 3.5};
+  LightColor color;
+  Falloff falloff;
+};
+
+/// A lamp so far away that its rays are parallel and do not weaken.
+struct DirectionalLight {
+  Vec3d direction{0, 0, -1};  ///< in which it shines; not zero
+  LightColor color;
+};
+
+/// A lamp with a cone: full within `inner_degrees` of its axis, none beyond `outer_degrees`,
+/// between them smoothstep of the angle's cosine.
+struct SpotLight {
+  Vec3d position{-1.5, -3.0, 3.5};
+  Vec3d direction{1.5, 3.0, -3.5};  ///< in which it shines; not zero
+  double inner_degrees = 15, outer_degrees = 25;
+  LightColor color;
+  Falloff falloff;
+};
+
+using Light = std::variant<PointLight, DirectionalLight, SpotLight>;
+
+/// The lighting models. All but Cook-Torrance have Phong's highlight or Blinn's.
+enum class Model {
+  kPhong,         ///< Lambert and Phong: paper eq. 1 and 2
+  kBlinnPhong,    ///< Lambert and Blinn's highlight
+  kMinnaert,      ///< Minnaert's diffuse term, Phong's highlight
+  kOrenNayar,     ///< Oren and Nayar's diffuse term, Phong's highlight
+  kCookTorrance,  ///< Lambert, and microfacets: GGX, Smith, Schlick
+};
+
+/// Where light acts: on every channel (eq. 3), or on the brightness axis of a space alone (6-8).
+enum class Space { kRgb, kYiq, kYuv601, kYuv709, kCielab, kCieluv, kDin99, kAtd95 };
+
+/// Whether the space is a matrix away from r'g'b', its brightness the same for all greys' chroma.
+constexpr bool is_linear(Space space) {
+  return space == Space::kYiq || space == Space::kYuv601 || space == Space::kYuv709;
+}
+
+/// How the colour gets into a space of brightness and chroma, and back.
+enum class Form {
+  kMatrices,   ///< into the space and back, as the paper's Table 1
+  kCollapsed,  ///< F = T + (Y_F - Y_T): linear spaces only
+  kBaked,      ///< the texture holds the space's axes: linear spaces only
+};
+
 enum class Clamp {
   kFree,
   kTable1
@@ -68,16 +123,38 @@ enum class Clamp {
     ///< saturate(L_D + L_A), then the colour
 enum class NormalUse { kUnit, kInterpolated };  ///< renormalised a pixel, or as Table 1 uses it
 
+/// What becomes of colours outside [0, 1].
+enum class Gamut {
+  kFree,    ///< they stay
+  kClamp,   ///< each channel is limited
+  kChroma,  ///< mixed with the grey of their brightness until they fit: the hue stays
+};
+
+/// Whether there are highlights where n.l <= 0.
+enum class Highlights { kFree, kGated };
+
+/// Where the light is computed: a pixel (Phong shading), or a vertex and interpolated (Gouraud).
+enum class Rate { kPixel, kVertex };
+
 /// How the surface answers the light.
 struct Material {
   Model model = Model::kPhong;
   Space space = Space::kRgb;
-  double shininess = 55;   ///< k of eq. 2, >= 0
-  double diffuse = 1;      ///< weight of L_D, >= 0
-  double specular = 1;     ///< weight of L_S, >= 0
-  double luma_offset = 0;  ///< added to Y_F; Table 1: -0.1. Zero outside a luma space
+  Form form = Form::kMatrices;
+  double shininess = 55;      ///< k of eq. 2, >= 0: phong, blinn-phong, minnaert, oren-nayar
+  double roughness = 0.3;     ///< oren-nayar: sigma, radians; cook-torrance: alpha = roughness^2
+  double reflectance = 0.04;  ///< cook-torrance: F0, in [0, 1]
+  double darkness = 1;        ///< minnaert: its exponent, 1 is Lambert
+  double diffuse = 1;         ///< weight of L_D, >= 0
+  double specular = 1;        ///< weight of L_S, >= 0
+  Vec3d ambient_color{1, 1, 1}, diffuse_color{1, 1, 1}, specular_color{1, 1, 1};  ///< m_a, m_d, m_s
+  Vec3d emissive{0, 0, 0};  ///< m_e, what the surface sends out by itself
+  double luma_offset = 0;   ///< added to Y_F; Table 1: -0.1. Zero in space rgb
   Clamp clamp = Clamp::kFree;
+  Gamut gamut = Gamut::kFree;
   NormalUse normal = NormalUse::kUnit;
+  Highlights highlights = Highlights::kFree;
+  Rate rate = Rate::kPixel;
 };
 
 /// Size in pixels, and samples x samples evenly spaced samples a pixel (1: one at its centre).
@@ -89,8 +166,9 @@ struct ImageSpec {
 /// What a scene shares whether or not its mesh and texture are in memory.
 struct View {
   Camera camera;
-  PointLight light;
+  std::vector<Light> lights{PointLight{}};
   double ambient = 0.1;  ///< L_A, >= 0
+  Vec3d ambient_color{1, 1, 1};
   Material material;
   ImageSpec image;
 };

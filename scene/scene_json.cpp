@@ -43,6 +43,16 @@ struct Writer {
     std::visit([&](auto& held) { visit_value(inner, held); }, value);
     put(key) = inner.json;
   }
+  template <class T>
+  void list(std::string_view key, std::vector<T>& values, std::size_t, std::string_view about) {
+    Json elements = Json::array();
+    for (T& value : values) {
+      Writer inner;
+      inner.one_of("element", value, about);
+      elements.push_back(inner.json["element"]);
+    }
+    put(key) = elements;
+  }
 };
 
 /// Writes the JSON Schema of a struct's fields.
@@ -101,9 +111,19 @@ struct SchemaWriter {
   }
   template <class... Ts>
   void one_of(std::string_view key, std::variant<Ts...>&, std::string_view about) {
+    put(key, about, {{"oneOf", alternatives<Ts...>()}});
+  }
+  template <class... Ts>
+  void list(std::string_view key, std::vector<std::variant<Ts...>>&, std::size_t most,
+            std::string_view about) {
+    put(key, about,
+        {{"type", "array"}, {"maxItems", most}, {"items", {{"oneOf", alternatives<Ts...>()}}}});
+  }
+  template <class... Ts>
+  static Json alternatives() {
     Json choices = Json::array();
     (choices.push_back(alternative<Ts>()), ...);
-    put(key, about, {{"oneOf", choices}});
+    return choices;
   }
   template <class T>
   static Json alternative() {

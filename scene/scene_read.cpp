@@ -105,16 +105,18 @@ class Reader {
   void one_of(std::string_view key, std::variant<Ts...>& value, std::string_view) {
     const Json* found = find(key);
     if (!found) return;
-    Reader inner(*found, label(key));
-    for_each_alternative(value, [&](auto alternative) {
-      const std::size_t before = inner.used_;
-      visit_value(inner, alternative);
-      if (inner.used_ > before) value = alternative;
-    });
-    inner.finish();
-    if (inner.used_ != 1) {
-      throw Error(fmt::format("{} must have exactly one of the keys {}, got {}", label(key),
-                              fmt::join(inner.known_, ", "), in_short(*found)));
+    read_one_of(*found, label(key), value);
+  }
+  template <class T>
+  void list(std::string_view key, std::vector<T>& values, std::size_t most, std::string_view) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_array() || found->size() > most) {
+      fail(key, fmt::format("a list of at most {}", most), *found);
+    }
+    values.assign(found->size(), T{});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      read_one_of((*found)[i], fmt::format("{}[{}]", label(key), i), values[i]);
     }
   }
 
@@ -128,6 +130,20 @@ class Reader {
   }
 
  private:
+  template <class... Ts>
+  static void read_one_of(const Json& json, const std::string& path, std::variant<Ts...>& value) {
+    Reader inner(json, path);
+    for_each_alternative(value, [&](auto alternative) {
+      const std::size_t before = inner.used_;
+      visit_value(inner, alternative);
+      if (inner.used_ > before) value = alternative;
+    });
+    inner.finish();
+    if (inner.used_ != 1) {
+      throw Error(fmt::format("{} must have exactly one of the keys {}, got {}", path,
+                              fmt::join(inner.known_, ", "), in_short(json)));
+    }
+  }
   std::string label(std::string_view key) const {
     return path_.empty() ? shown(key) : fmt::format("{}.{}", path_, shown(key));
   }
