@@ -41,11 +41,6 @@ bool faces_away(const Scene& scene, const Fragment& fragment) {
   return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
 }
 
-Shot without_highlight(Shot shot) {
-  shot.material.specular = 0;
-  return shot;
-}
-
 /// The ways in which renderers depart from our formulas.
 struct Habits {
   bool turns = false;  ///< normals that face away are turned to the viewer
@@ -54,12 +49,10 @@ struct Habits {
 constexpr Habits kAllHabits[] = {{false, false}, {false, true}, {true, false}, {true, true}};
 
 /// Our colour of the fragment as a renderer of these habits draws it.
-Vec3d drawn_with(Habits habits, const Scene& scene, const Shot& shot, Fragment fragment) {
+Vec3d drawn_with(Habits habits, const Scene& scene, Shot shot, Fragment fragment) {
   if (habits.turns && faces_away(scene, fragment)) fragment.normal = -fragment.normal;
-  const bool lit = dot(fragment.normal, scene.view.light.position - fragment.position) > 0;
-  if (lit || !habits.gates) return shade(scene, shot, fragment);
-  if (shot.stage == Stage::kSpecular) return {};
-  return shade(scene, without_highlight(shot), fragment);
+  if (habits.gates) shot.material.highlights = Highlights::kGated;
+  return shade(scene, shot, fragment);
 }
 
 bool agrees(const Vec3d& ours, const TheirPixel& theirs) {

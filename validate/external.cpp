@@ -14,10 +14,10 @@ std::vector<Drawn> undrawn(std::size_t shots, Drawn::Status status, const std::s
       shots, Drawn{.status = status, .why = why, .image = {}, .note = {}, .instead = {}});
 }
 
-Drawn drawn_image(const std::filesystem::path& path, const View& view) {
+Drawn believed(const std::function<Image()>& read) {
   Drawn drawn;
   try {
-    drawn.image = read_image(path, view.image.width, view.image.height);
+    drawn.image = read();
   } catch (const std::runtime_error& e) {
     return undrawn(1, Drawn::Status::kFailed, e.what()).front();
   }
@@ -33,6 +33,10 @@ Drawn drawn_image(const std::filesystem::path& path, const View& view) {
   }
   drawn.status = Drawn::Status::kDrawn;
   return drawn;
+}
+
+Drawn drawn_image(const std::filesystem::path& path, const View& view) {
+  return believed([&] { return read_image(path, view.image.width, view.image.height); });
 }
 
 std::string line_with(std::string_view text, std::string_view prefix) {

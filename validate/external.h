@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,8 +11,11 @@
 
 namespace lumaknot {
 
-/// The image in `path`, believed only when it decodes, has the scene's size and shows something;
-/// else why not.
+/// The image that `read` returns, believed only when it throws no std::runtime_error, is finite and
+/// shows something; else why not.
+Drawn believed(const std::function<Image()>& read);
+
+/// The image in `path`, believed as above when it decodes and has the scene's size.
 Drawn drawn_image(const std::filesystem::path& path, const View& view);
 
 /// The first line of `text` that starts with `prefix`, or nothing.

@@ -57,6 +57,9 @@ class Renderer {
 /// Where the programs are and how long each may run.
 struct Programs {
   std::string povray = "povray", blender = "blender", xvfb = "Xvfb";
+  std::string glslang = "glslangValidator";
+  std::string gpu;         ///< lumaknot-gpu; empty: beside this program
+  std::string osl_python;  ///< a Python with the module bpy; empty: where scripts/install-extras puts it
   std::chrono::duration<double> time_limit = std::chrono::seconds(300);
 };
 
@@ -65,6 +68,12 @@ std::unique_ptr<Renderer> own_renderer(const Grid<Fragment>& fragments);
 std::unique_ptr<Renderer> povray_renderer(const Programs& programs);
 std::unique_ptr<Renderer> cycles_renderer(const Programs& programs);
 std::unique_ptr<Renderer> eevee_renderer(const Programs& programs);  ///< on a private X display
+
+/// The emitted shaders on OpenGL (glsl-330), OpenGL ES (glsl-es-300) and Vulkan (glsl-450, hlsl).
+std::unique_ptr<Renderer> gl_renderer(const Programs& programs);
+std::unique_ptr<Renderer> gles_renderer(const Programs& programs);
+std::unique_ptr<Renderer> vulkan_renderer(const Programs& programs);
+std::unique_ptr<Renderer> hlsl_renderer(const Programs& programs);
 
 /// `shots` undrawn, each for the same reason.
 std::vector<Drawn> undrawn(std::size_t shots, Drawn::Status status, const std::string& why);

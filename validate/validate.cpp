@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <future>
 #include <mutex>
 
@@ -13,26 +12,23 @@
 namespace lumaknot {
 namespace {
 
-/// A renderer's name as a flag takes it: its letters, in lower case.
-std::string flag_name(const Renderer& renderer) {
-  std::string name;
-  for (const unsigned char c : renderer.name()) {
-    if (std::isalpha(c)) name += char(std::tolower(c));
-  }
-  return name;
-}
-
-std::vector<std::unique_ptr<Renderer>> all_renderers(const Programs& programs) {
-  std::vector<std::unique_ptr<Renderer>> all;
-  all.push_back(cycles_renderer(programs));
-  all.push_back(povray_renderer(programs));
-  all.push_back(eevee_renderer(programs));
-  return all;
-}
+/// A renderer and whether it draws when nobody asks for it: those that are left out repeat another
+/// one's rasteriser, or are rarely there.
+struct KnownRenderer {
+  std::string_view flag;
+  std::unique_ptr<Renderer> (*make)(const Programs&);
+  bool is_usual;
+};
+constexpr KnownRenderer kRenderers[] = {
+    {"cycles", cycles_renderer, true}, {"povray", povray_renderer, true},
+    {"eevee", eevee_renderer, true},   {"gl", gl_renderer, true},
+    {"vulkan", vulkan_renderer, true}, {"gles", gles_renderer, false},
+    {"hlsl", hlsl_renderer, false},
+};
 
 /// The stages that name a failure's cause, then the final pictures.
 std::vector<Shot> shots_of(const ValidationJob& job) {
-  Material terms = job.scene.view.material;
+  Material terms = job.finals.empty() ? job.scene.view.material : job.finals.front().material;
   terms.normal = NormalUse::kUnit;
   std::vector<Shot> shots{{"texture", Stage::kTexture, terms},
                           {"diffuse", Stage::kDiffuse, terms},
@@ -120,11 +116,12 @@ Verdict verdict_of(const std::vector<Judgement>& judgements) {
 
 /// The renderers that the job asks for.
 std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job) {
-  auto all = all_renderers(job.programs);
-  std::erase_if(all, [&](const auto& renderer) {
-    return !job.renderers.empty() && std::ranges::count(job.renderers, flag_name(*renderer)) == 0;
-  });
-  return all;
+  std::vector<std::unique_ptr<Renderer>> wanted;
+  for (const KnownRenderer& known : kRenderers) {
+    const bool asked = std::ranges::count(job.renderers, known.flag) > 0;
+    if (job.renderers.empty() ? known.is_usual : asked) wanted.push_back(known.make(job.programs));
+  }
+  return wanted;
 }
 
 Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fragment>& fragments,
@@ -142,8 +139,14 @@ bool Judgement::drew_any() const {
 
 std::vector<std::string> renderer_names() {
   std::vector<std::string> names;
-  for (const auto& renderer : all_renderers({})) names.push_back(flag_name(*renderer));
+  for (const KnownRenderer& known : kRenderers) names.emplace_back(known.flag);
   return names;
+}
+
+std::vector<std::unique_ptr<Renderer>> all_renderers(const Programs& programs) {
+  std::vector<std::unique_ptr<Renderer>> all;
+  for (const KnownRenderer& known : kRenderers) all.push_back(known.make(programs));
+  return all;
 }
 
 Scene sample_by_sample(Scene scene) {

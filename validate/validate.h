@@ -15,7 +15,7 @@ namespace lumaknot {
 struct ValidationJob {
   Scene scene;                         ///< image.samples must be 1; see sample_by_sample()
   std::vector<Shot> finals;            ///< the materials to draw, by name
-  std::vector<std::string> renderers;  ///< those to run, from renderer_names(); empty: all
+  std::vector<std::string> renderers;  ///< from renderer_names(); empty: the usual ones
   Programs programs;
 };
 
@@ -56,8 +56,11 @@ struct Validation {
   Verdict verdict = Verdict::kNothingToCompare;
 };
 
-/// The names that ValidationJob::renderers may hold: cycles, povray, eevee.
+/// The names that ValidationJob::renderers may hold: cycles, povray, eevee, gl, ...
 std::vector<std::string> renderer_names();
+
+/// One of each, in the order of their names.
+std::vector<std::unique_ptr<Renderer>> all_renderers(const Programs& programs);
 
 /// `scene` with each of its samples x samples samples a pixel made a pixel of its own.
 Scene sample_by_sample(Scene scene);

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "validate/external.h"
+#include "validate/gpu_job.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One way of drawing emitted shaders.
+struct Interface {
+  std::string_view name, api;
+  Language language;
+};
+
+constexpr Interface kGl{"GL", "gl", Language::kGlsl330};
+constexpr Interface kGles{"GLES", "gles", Language::kGlslEs300};
+constexpr Interface kVulkan{"Vulkan", "vulkan", Language::kGlsl450};
+constexpr Interface kHlsl{"HLSL", "vulkan", Language::kHlsl};
+
+/// lumaknot-gpu, which is built beside this program.
+fs::path gpu_program(const Programs& programs) {
+  if (!programs.gpu.empty()) return find_program(programs.gpu);
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path beside = self.parent_path() / "lumaknot-gpu";
+  return !error && fs::exists(beside) ? beside : find_program("lumaknot-gpu");
+}
+
+class Gpu final : public Renderer {
+ public:
+  Gpu(const Interface& interface, const Programs& programs)
+      : interface_(interface), programs_(programs) {}
+
+  std::string name() const override { return std::string(interface_.name); }
+
+  Availability availability() const override {
+    const fs::path program = gpu_program(programs_);
+    const std::string missing = missing_program(program);
+    if (!missing.empty()) return {.found = false, .version = {}, .path = {}, .remedy = missing};
+    const PrivateFolder folder;
+    const Ended ended =
+        run({{program.string(), "--version-of", std::string(interface_.api)}, folder.path(), {}},
+            std::chrono::seconds(30));
+    const std::string line = ended.log.substr(0, ended.log.find('\n'));
+    if (!ended.well()) {
+      return {.found = false, .version = {}, .path = {}, .remedy = line + "; " + remedy()};
+    }
+    return {.found = true, .version = line, .path = program.string(), .remedy = {}};
+  }
+
+  Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
+    Rendering rendering;
+    rendering.renderer = name();
+    const Availability here = availability();
+    if (!here.found) {
+      rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, here.remedy);
+      return rendering;
+    }
+    rendering.version = here.version;
+    try {
+      draw_in_folder(here.path, scene, shots, rendering);
+    } catch (const std::runtime_error& e) {
+      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+    }
+    return rendering;
+  }
+
+ private:
+  std::string remedy() const {
+    return interface_.api == "vulkan" ? "apt-get install mesa-vulkan-drivers"
+                                      : "apt-get install libegl1 libgl1-mesa-dri";
+  }
+
+  std::string missing_program(const fs::path& program) const {
+    if (program.empty()) return "lumaknot-gpu is not here; build the target lumaknot-gpu";
+    const bool compiles = interface_.api == "vulkan";
+    if (compiles && find_program(programs_.glslang).empty()) {
+      return fmt::format("{} is not here; apt-get install glslang-tools", programs_.glslang);
+    }
+    return {};
+  }
+
+  void draw_in_folder(const std::string& program, const Scene& scene, std::span<const Shot> shots,
+                      Rendering& rendering) const {
+    const PrivateFolder folder;
+    write_gpu_job(folder.path(), scene, shots, interface_.language, programs_);
+    rendering.command = {program, "job.json"};
+    const Ended ended = run({rendering.command, folder.path(), {}}, programs_.time_limit);
+    rendering.seconds = ended.seconds;
+    rendering.log = ended.log;
+    if (const std::string bad = bad_end(ended); !bad.empty()) {
+      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, bad);
+      return;
+    }
+    const ImageSpec& size = scene.view.image;
+    for (const Shot& shot : shots) {
+      rendering.shots.push_back(believed([&] {
+        return read_gpu_image(folder.path() / (shot.name + ".bin"), size.width, size.height);
+      }));
+    }
+  }
+
+  Interface interface_;
+  Programs programs_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> gl_renderer(const Programs& programs) {
+  return std::make_unique<Gpu>(kGl, programs);
+}
+std::unique_ptr<Renderer> gles_renderer(const Programs& programs) {
+  return std::make_unique<Gpu>(kGles, programs);
+}
+std::unique_ptr<Renderer> vulkan_renderer(const Programs& programs) {
+  return std::make_unique<Gpu>(kVulkan, programs);
+}
+std::unique_ptr<Renderer> hlsl_renderer(const Programs& programs) {
+  return std::make_unique<Gpu>(kHlsl, programs);
+}
+
+}  // namespace lumaknot

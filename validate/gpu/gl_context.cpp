@@ -1,0 +1,84 @@
+#include "validate/gpu/gl_context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "validate/gpu/unavailable.h"
+
+namespace lumaknot::gpu {
+namespace {
+
+[[noreturn]] void fail(std::string_view what) {
+  throw Unavailable(fmt::format("EGL can't {} (error 0x{:x})", what, eglGetError()));
+}
+
+EGLDisplay surfaceless_display() {
+  if (!epoxy_has_egl()) throw Unavailable("libEGL is not installed");
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    throw Unavailable("EGL has no surfaceless platform; Mesa's libEGL has it");
+  }
+  const EGLDisplay display =
+      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (display == EGL_NO_DISPLAY) fail("open the surfaceless platform");
+  if (!eglInitialize(display, nullptr, nullptr)) fail("start; is Mesa's software driver installed");
+  for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
+    if (!epoxy_has_egl_extension(display, extension)) {
+      throw Unavailable(fmt::format("EGL has no {}", extension));
+    }
+  }
+  return display;
+}
+
+EGLContext make_context(EGLDisplay display, Api api) {
+  const bool es = api == Api::kGles;
+  if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) fail("serve this API");
+  std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION,
+                                 es ? 0 : 3};
+  if (!es) {
+    attributes.insert(attributes.end(),
+                      {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
+  }
+  attributes.push_back(EGL_NONE);
+  const EGLContext context =
+      eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+  if (context == EGL_NO_CONTEXT) fail(es ? "make a GLES 3.0 context" : "make a GL 3.3 context");
+  return context;
+}
+
+/// Float textures are core in GL 3.3, extensions in GLES 3.0.
+void check_extensions() {
+  for (const char* extension : {"GL_EXT_color_buffer_float", "GL_OES_texture_float_linear"}) {
+    if (!epoxy_has_gl_extension(extension)) {
+      throw Unavailable(fmt::format("the GLES driver has no {}", extension));
+    }
+  }
+}
+
+}  // namespace
+
+GlContext::GlContext(Api api) : display_(surfaceless_display()) {
+  context_ = make_context(display_, api);
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+    fail("use a context without a surface");
+  }
+  if (api == Api::kGles) check_extensions();
+}
+
+GlContext::~GlContext() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+  eglTerminate(display_);
+}
+
+std::string gl_version() {
+  const auto text = [](GLenum name) {
+    const auto* bytes = glGetString(name);
+    return std::string(bytes ? reinterpret_cast<const char*>(bytes) : "unknown");
+  };
+  return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
+}
+
+}  // namespace lumaknot::gpu

@@ -1,0 +1,92 @@
+// lumaknot-gpu JOB.json                         draws what the job file says
+// lumaknot-gpu --version-of gl|gles|vulkan      prints the renderer and its driver
+// Exit code 0: done; 2: wrong use or a bad job; 3: no such API, or a shader that does not compile.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "validate/gpu/gl_run.h"
+#include "validate/gpu/job.h"
+#include "validate/gpu/vulkan_run.h"
+
+namespace lumaknot::gpu {
+namespace {
+
+constexpr int kExitBadJob = 2, kExitUnavailable = 3;
+
+/// Mesa's software drivers leave no cache behind. The caller's environment decides if it says so.
+void prefer_software() {
+  ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
+template <class Run>
+void draw_all(const Job& job) {
+  Run run(job);
+  for (const Draw& draw : job.draws) {
+    const std::vector<float> pixels = run.draw(draw);
+    write_file(draw.output,
+               {reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float)},
+               draw.where + ".output");
+  }
+}
+
+void run_job(const std::string& file) {
+  const Job job = read_job(file);
+  if (job.api == Api::kVulkan) {
+    draw_all<VulkanRun>(job);
+  } else {
+    draw_all<GlRun>(job);
+  }
+}
+
+std::string version_of(Api api) {
+  if (api == Api::kVulkan) return vulkan_version();
+  const GlContext context(api);
+  return gl_version();
+}
+
+void run(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 2 && arguments[0] == "--version-of") {
+    fmt::print("{}\n", version_of(api_named(arguments[1], "--version-of")));
+  } else if (arguments.size() == 1 && !arguments[0].starts_with("-")) {
+    run_job(arguments[0]);
+  } else {
+    throw Error("usage: lumaknot-gpu JOB.json, or --version-of gl|gles|vulkan");
+  }
+}
+
+/// Bad input in one line, whatever it quotes.
+void tell(std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  fmt::print(stderr, "lumaknot-gpu: {}\n", message);
+}
+
+int run_program(const std::vector<std::string>& arguments) {
+  prefer_software();
+  try {
+    run(arguments);
+    return 0;
+  } catch (const Error& e) {
+    tell(e.what());
+    return kExitBadJob;
+  } catch (const std::bad_alloc&) {
+    tell("out of memory; lower width and height");
+  } catch (const std::exception& e) {  // Unavailable, vk::Error
+    fmt::print(stderr, "lumaknot-gpu: {}\n", e.what());
+  }
+  return kExitUnavailable;
+}
+
+}  // namespace
+}  // namespace lumaknot::gpu
+
+int main(int argc, char** argv) { return lumaknot::gpu::run_program({argv + 1, argv + argc}); }

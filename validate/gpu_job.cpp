@@ -1,0 +1,220 @@
+#include "validate/gpu_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "exporters/baked_texture.h"
+#include "scene/atomic_file.h"
+#include "shaders/emit.h"
+#include "validate/spirv.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Matrix = std::array<double, 16>;  // column-major
+
+constexpr std::string_view kPlace = "lumaknot-gpu's folder";
+
+std::string float_bytes(std::span<const float> values) {
+  std::string bytes(values.size_bytes(), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
+void write_mesh(const fs::path& folder, const TriangleMesh& mesh, Json& job) {
+  std::vector<float> vertices;
+  vertices.reserve(mesh.positions.size() * 8);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3d &p = mesh.positions[i], &n = mesh.normals[i];
+    for (const double v : {p.x, p.y, p.z, n.x, n.y, n.z, mesh.uvs[i].u, mesh.uvs[i].v}) {
+      vertices.push_back(float(v));
+    }
+  }
+  std::string indices(mesh.triangles.size() * sizeof(Triangle), '\0');
+  std::memcpy(indices.data(), mesh.triangles.data(), indices.size());
+  write_file(folder / "mesh.bin", float_bytes(vertices), kPlace);
+  write_file(folder / "indices.bin", indices, kPlace);
+  job["mesh"] = {{"vertices", "mesh.bin"},
+                 {"count", mesh.positions.size()},
+                 {"indices", "indices.bin"},
+                 {"triangles", mesh.triangles.size()}};
+}
+
+/// Where Vulkan's shaders find a texture; HLSL's, as compile_spirv() shifts them, also its sampler.
+struct Binding {
+  int texture, sampler;
+};
+constexpr Binding kColor{1, 3}, kAxes{2, 4};
+
+/// RGBA, the bottom row first.
+Json write_texture(const fs::path& folder, const std::string& name, const TextureImage& texture,
+                   const Binding& binding, bool has_samplers) {
+  std::vector<float> values;
+  values.reserve(texture.pixels.size() * 4);
+  for (int y = texture.height - 1; y >= 0; --y) {
+    for (int x = 0; x < texture.width; ++x) {
+      const Rgb& p = texture.at(x, y);
+      for (const float v : {p.r, p.g, p.b, 1.0f}) values.push_back(v);
+    }
+  }
+  write_file(folder / (name + ".bin"), float_bytes(values), kPlace);
+  Json json{{"name", name},           {"binding", binding.texture}, {"file", name + ".bin"},
+            {"width", texture.width}, {"height", texture.height},   {"filter", "linear"}};
+  if (has_samplers) json["sampler_binding"] = binding.sampler;
+  return json;
+}
+
+Json write_textures(const fs::path& folder, const Texture& texture, std::span<const Shot> shots,
+                    bool has_samplers) {
+  Json list = Json::array();
+  const auto* image = std::get_if<TextureImage>(&texture);
+  if (!image) return list;
+  list.push_back(write_texture(folder, "color_texture", *image, kColor, has_samplers));
+  const auto baked =
+      std::ranges::find(shots, Form::kBaked, [](const Shot& s) { return s.material.form; });
+  if (baked != shots.end()) {
+    list.push_back(write_texture(folder, "axes_texture", baked_texture(*image, baked->material),
+                                 kAxes, has_samplers));
+  }
+  return list;
+}
+
+/// Clip distances that just hold the mesh: a depth buffer is finest that way.
+std::pair<double, double> depth_range(const Scene& scene, const CameraFrame& frame) {
+  double least = INFINITY, most = 0;
+  for (const Vec3d& p : scene.mesh.positions) {
+    const double depth = dot(scene.view.camera.position - p, frame.back);
+    least = std::min(least, depth);
+    most = std::max(most, depth);
+  }
+  const double near = std::max(near_depth(scene.view.camera), least * 0.99);
+  return {near, std::max(most * 1.01, near * 2)};
+}
+
+/// From the world to clip space. Vulkan: y downwards and z from 0 to 1.
+Matrix world_view_projection(const Scene& scene, bool is_vulkan) {
+  const Camera& camera = scene.view.camera;
+  const CameraFrame frame = camera_frame(camera);
+  const auto [near, far] = depth_range(scene, frame);
+  const double up = 1 / std::tan(camera.fov_degrees * std::numbers::pi / 360);
+  const double right = up * scene.view.image.height / scene.view.image.width;
+  const double z = is_vulkan ? far / (far - near) : (far + near) / (far - near);
+  const double z0 = (is_vulkan ? 1 : 2) * -far * near / (far - near);
+  const Vec3d rows[4] = {frame.right * right, frame.up * (is_vulkan ? -up : up), -frame.back * z,
+                         -frame.back};
+  const double last[4] = {0, 0, z0, 0};
+  Matrix matrix{};
+  for (std::size_t row = 0; row < 4; ++row) {
+    const auto c = components(rows[row]);
+    for (std::size_t column = 0; column < 3; ++column) matrix[column * 4 + row] = c[column];
+    matrix[12 + row] = last[row] - dot(rows[row], camera.position);
+  }
+  return matrix;
+}
+
+constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+Json uniforms_json(const Shader& shader, const Matrix& projection) {
+  Json list{{{"name", "world"}, {"values", kIdentity}},
+            {{"name", "world_inverse_transpose"}, {"values", kIdentity}},
+            {{"name", "world_view_projection"}, {"values", projection}}};
+  for (const ShaderParameter& p : shader.parameters) {
+    const Json values = p.is_vector ? Json(components(p.value)) : Json{p.value.x};
+    list.push_back({{"name", p.name}, {"values", values}});
+  }
+  return list;
+}
+
+std::string block_bytes(const Shader& shader, const Matrix& projection) {
+  const std::vector<BlockEntry> entries = parameter_block(shader);
+  const int end = entries.empty() ? kMatrixBytes : entries.back().offset + 12;
+  std::vector<float> values(std::size_t(end + 15) / 16 * 4);
+  std::size_t at = 0;
+  for (const Matrix& matrix : {kIdentity, kIdentity, projection}) {
+    for (const double v : matrix) values[at++] = float(v);
+  }
+  for (const BlockEntry& entry : entries) {
+    const auto c = components(entry.parameter.value);
+    const std::size_t count = entry.parameter.is_vector ? 3 : 1;
+    for (std::size_t i = 0; i < count; ++i) values[std::size_t(entry.offset) / 4 + i] = float(c[i]);
+  }
+  return float_bytes(values);
+}
+
+std::string_view api_of(Language language) {
+  if (language == Language::kGlsl330) return "gl";
+  return language == Language::kGlslEs300 ? "gles" : "vulkan";
+}
+
+/// Writes a shot's two stages; returns their entry of the job.
+Json write_draw(const fs::path& folder, const ShaderJob& job, Language language,
+                const Matrix& projection, const Programs& programs) {
+  const Shader shader = make_shader(job);
+  const Emission files = emit(job, language);
+  const bool is_hlsl = language == Language::kHlsl;
+  Json draw{{"name", job.name}, {"output", job.name + ".bin"}};
+  const auto add_stage = [&](std::string_view stage, const std::string& text, bool is_fragment) {
+    const std::string file = fmt::format("{}.{}", job.name, stage);
+    const std::string entry = is_hlsl ? fmt::format("{}_main", stage) : "main";
+    const bool is_source = api_of(language) != "vulkan";
+    write_file(folder / file,
+               is_source ? text : compile_spirv(programs, text, {is_hlsl, is_fragment, entry}),
+               kPlace);
+    draw[std::string(stage)] = file;
+    draw[fmt::format("{}_entry", stage)] = entry;
+  };
+  add_stage("vertex", files[0].text, false);
+  add_stage("fragment", files[is_hlsl ? 0 : 1].text, true);
+  if (api_of(language) != "vulkan") {
+    draw["uniforms"] = uniforms_json(shader, projection);
+    return draw;
+  }
+  write_file(folder / (job.name + ".block"), block_bytes(shader, projection), kPlace);
+  draw["uniform_block"] = job.name + ".block";
+  draw["uniform_binding"] = 0;
+  return draw;
+}
+
+}  // namespace
+
+void write_gpu_job(const fs::path& folder, const Scene& scene, std::span<const Shot> shots,
+                   Language language, const Programs& programs) {
+  const Matrix projection = world_view_projection(scene, api_of(language) == "vulkan");
+  Json json{{"api", api_of(language)},
+            {"width", scene.view.image.width},
+            {"height", scene.view.image.height}};
+  write_mesh(folder, scene.mesh, json);
+  json["textures"] = write_textures(folder, scene.texture, shots, language == Language::kHlsl);
+  for (const Shot& shot : shots) {
+    ShaderJob job;
+    job.name = shot.name;
+    job.view = scene.view;
+    job.shot = shot;
+    if (const auto* color = std::get_if<Vec3d>(&scene.texture)) job.color = *color;
+    json["draws"].push_back(write_draw(folder, job, language, projection, programs));
+  }
+  write_file(folder / "job.json", json.dump(1), kPlace);
+}
+
+Image read_gpu_image(const fs::path& path, int width, int height) {
+  const std::string bytes = read_file(path, "lumaknot-gpu");
+  Image image(width, height);
+  static_assert(sizeof(RgbaPixel) == 16);
+  if (bytes.size() != image.pixels.size() * sizeof(RgbaPixel)) {
+    throw std::runtime_error(fmt::format("{} holds {} bytes, not {} x {} pixels",
+                                         path.filename().string(), bytes.size(), width, height));
+  }
+  std::memcpy(image.pixels.data(), bytes.data(), bytes.size());
+  return image;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,24 @@
+/// A scene as a job for lumaknot-gpu, which draws it on OpenGL, OpenGL ES or Vulkan.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "scene/scene.h"
+#include "scene/shot.h"
+#include "shaders/language.h"
+#include "validate/renderer.h"
+
+namespace lumaknot {
+
+/// Writes job.json and what it names into `folder`: the mesh, the texture, and for each shot its
+/// shaders in `language`. The shot's image will be NAME.bin. Throws std::runtime_error when a
+/// shader does not compile.
+void write_gpu_job(const std::filesystem::path& folder, const Scene& scene,
+                   std::span<const Shot> shots, Language language, const Programs& programs);
+
+/// The image that a job drew into `path`: float32 RGBA, the top row first. Throws
+/// std::runtime_error when it has not the size.
+Image read_gpu_image(const std::filesystem::path& path, int width, int height);
+
+}  // namespace lumaknot
