@@ -20,6 +20,7 @@
 #include "scene/fields.h"
 #include "scene/presets.h"
 #include "shaders/emit.h"
+#include "validate/process.h"
 #include "validate/spirv.h"
 
 namespace lumaknot {
@@ -57,8 +58,9 @@ ShaderJob job_of_name(const ShaderFlags& flags) {
   ShaderJob job;
   const std::optional<Material> material = with_formula(job.view.material, flags.shader);
   if (!material) {
-    throw Error(fmt::format("shader {} is not known; known: {}", flags.shader,
-                            fmt::join(formula_names(), ", ")));
+    throw Error(fmt::format(
+        "shader {} is not known; give a space ({}) and a model ({}), as in yiq-phong; all: --list",
+        flags.shader, fmt::join(space_use_names(), ", "), fmt::join(kModelNames, ", ")));
   }
   job.name = flags.shader;
   job.shot = {"final", Stage::kFinal, *material};
@@ -173,22 +175,27 @@ std::vector<Written> write_all(const ShaderFlags& flags, const ShaderJob& job,
     make_folder(written.folder);
     write_package(written.folder, package, "--output");
     for (const PackedFile& file : package) written.files.push_back(file.name);
-    written.instructions = fragment_instructions(flags.programs, job, language);
+    if (!flags.out.quiet || flags.out.json) {
+      written.instructions = fragment_instructions(flags.programs, job, language);
+    }
     all.push_back(std::move(written));
   }
   return all;
 }
 
 /// The instructions of the paper's Table 1, emitted the same way, beside another formula in YIQ.
-void say_table1(const ShaderFlags& flags, const ShaderJob& job) {
+void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vector<Written>& all) {
   if (job.shot.material.space != Space::kYiq) return;
   ShaderJob table1;
-  table1.name = "table1";
-  table1.shot = {"final", Stage::kFinal, *with_formula(table1.view.material, "yiq-table1")};
-  const auto instructions = fragment_instructions(flags.programs, table1, Language::kGlsl450);
-  if (!instructions) return;
-  flags.out.say(
-      fmt::format("The paper's Table 1 in glsl-450: {} SPIR-V instructions", *instructions));
+  table1.name = "yiq-table1-phong";
+  table1.shot = {"final", Stage::kFinal, *with_formula(table1.view.material, table1.name)};
+  for (const Written& written : all) {
+    if (!written.instructions) continue;
+    flags.out.say(fmt::format(
+        "{}: {} SPIR-V instructions; the paper's Table 1, emitted likewise: {}",
+        info_of(written.language).name, *written.instructions,
+        *fragment_instructions(flags.programs, table1, written.language)));
+  }
 }
 
 void emit_all(const ShaderFlags& flags) {
@@ -215,7 +222,7 @@ void emit_all(const ShaderFlags& flags) {
     flags.out.say(written_line(written));
   }
   if (flags.out.json) fmt::print("{}\n", json.dump(2));
-  say_table1(flags, job);
+  say_table1(flags, job, all);
 }
 
 void run(const ShaderFlags& flags) {

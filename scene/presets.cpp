@@ -94,6 +94,12 @@ const std::array<NamedMaterial, 3>& paper_materials() {
   return kMaterials;
 }
 
+std::vector<std::string_view> space_use_names() {
+  std::vector<std::string_view> names;
+  for (const SpaceUse& use : kSpaceUses) names.push_back(use.name);
+  return names;
+}
+
 std::vector<std::string> formula_names() {
   std::vector<std::string> names;
   find_formula([&](const std::string& name, const SpaceUse&, Model) {

@@ -22,6 +22,9 @@ struct NamedMaterial {
 /// and its unnormalised normal) and `yiq-eq6` (eq. 6-8 as printed).
 const std::array<NamedMaterial, 3>& paper_materials();
 
+/// The words that a formula's name may begin with: "rgb", "yiq", "yiq-table1", ...
+std::vector<std::string_view> space_use_names();
+
 /// Every lighting formula by name, a space and a model: "rgb-phong", "yiq-table1-minnaert",
 /// "cielab-cook-torrance", ...
 std::vector<std::string> formula_names();
