@@ -191,10 +191,10 @@ void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vecto
   table1.shot = {"final", Stage::kFinal, *with_formula(table1.view.material, table1.name)};
   for (const Written& written : all) {
     if (!written.instructions) continue;
-    flags.out.say(fmt::format(
-        "{}: {} SPIR-V instructions; the paper's Table 1, emitted likewise: {}",
-        info_of(written.language).name, *written.instructions,
-        *fragment_instructions(flags.programs, table1, written.language)));
+    flags.out.say(
+        fmt::format("{}: {} SPIR-V instructions; the paper's Table 1, emitted likewise: {}",
+                    info_of(written.language).name, *written.instructions,
+                    *fragment_instructions(flags.programs, table1, written.language)));
   }
 }
 

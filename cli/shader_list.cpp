@@ -47,22 +47,25 @@ std::string shader_list_text() {
 }
 
 std::string shader_list_json() {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
   for (const std::string& name : formula_names()) {
     for (const Rate rate : {Rate::kPixel, Rate::kVertex}) {
       const ShaderJob job = job_of(name, rate);
+      Json entry{{"shader", name},
+                 {"rate", kRateNames[std::size_t(rate)]},
+                 {"operations", operation_count(make_shader(job))},
+                 {"languages", Json::array()},
+                 {"impossible", Json::object()}};
       for (const LanguageInfo& info : kLanguages) {
         const auto why = emission_shortfall(job, info.language);
-        list.push_back({{"shader", name},
-                        {"rate", kRateNames[std::size_t(rate)]},
-                        {"language", info.name},
-                        {"operations", operation_count(make_shader(job))},
-                        {"works", !why}});
-        if (why) list.back()["why"] = *why;
+        if (why) entry["impossible"][std::string(info.name)] = *why;
+        if (!why) entry["languages"].push_back(info.name);
       }
+      list.push_back(std::move(entry));
     }
   }
-  return list.dump(2) + "\n";
+  return list.dump() + "\n";
 }
 
 }  // namespace lumaknot

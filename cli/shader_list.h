@@ -8,7 +8,8 @@ namespace lumaknot {
 /// A table: every shader, its operations, and a column for each language.
 std::string shader_list_text();
 
-/// The same as JSON: an entry for every shader, rate and language.
+/// The same as JSON: an entry for every shader and rate, with the languages that can express it and
+/// why the others can't.
 std::string shader_list_json();
 
 }  // namespace lumaknot

@@ -144,8 +144,11 @@ std::vector<BlockEntry> parameter_block(const Shader& shader) {
 int operation_count(const Shader& shader) {
   std::vector<NodePtr> roots{shader.recorded.color};
   for (const Varying& varying : shader.recorded.varyings) roots.push_back(varying.value);
-  return int(
-      std::ranges::count_if(in_order(roots), [](const Node* n) { return !n->arguments.empty(); }));
+  return int(std::ranges::count_if(in_order(roots), [](const Node* node) {
+    const bool only_moves = node->op == Op::kCombine || node->op == Op::kGrey ||
+                            node->op == Op::kX || node->op == Op::kY || node->op == Op::kZ;
+    return !node->arguments.empty() && !only_moves;
+  }));
 }
 
 }  // namespace lumaknot

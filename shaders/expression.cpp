@@ -177,6 +177,7 @@ Scalar log(const Scalar& x) {
 Scalar power(const Scalar& base, const Scalar& exponent) {
   refuse_unless(least_of(*base.node) >= 0, "the power of a number that may be negative");
   if (is_constant(exponent, 1)) return base;
+  if (is_constant(exponent, 0)) return 1;  // of 0 too
   return scalar(Op::kPower, {base.node, exponent.node});
 }
 

@@ -30,7 +30,7 @@ def shaders(program):
     """The arguments of every shader of the list; lights and gamuts vary along it."""
     text = subprocess.run([program, "shader", "--list", "--json"], check=True, capture_output=True,
                           text=True).stdout
-    names = {(e["shader"], e["rate"]) for e in json.loads(text) if e["language"] in LANGUAGES}
+    names = {(entry["shader"], entry["rate"]) for entry in json.loads(text)}
     for index, (name, rate) in enumerate(sorted(names)):
         kind = list(LIGHTS)[index % len(LIGHTS)]
         gamut = GAMUTS[index % len(GAMUTS)]

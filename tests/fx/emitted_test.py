@@ -30,7 +30,7 @@ def emissions(program):
     text = subprocess.run([program, "shader", "--list", "--json"], check=True, capture_output=True,
                           text=True).stdout
     listed = {f"{entry['shader']}-{entry['rate']}": [entry["shader"], "--rate", entry["rate"]]
-              for entry in json.loads(text) if entry["language"] == "fx" and entry["works"]}
+              for entry in json.loads(text) if "fx" in entry["languages"]}
     return listed | SPECIAL
 
 
