@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "exporters/baked_texture.h"
 #include "exporters/image_file.h"
+#include "scene/error.h"
+#include "scene/fields.h"
 #include "shaders/blender_nodes.h"
-#include "shaders/record.h"
+#include "shaders/emit.h"
+#include "shaders/lighting.h"
 
 namespace lumaknot {
 namespace embedded {
+std::string_view blender_nodes_script();
+std::string_view blender_osl_script();
 std::string_view blender_scene_script();
-}
+}  // namespace embedded
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -56,43 +63,111 @@ Json camera_json(const Camera& camera) {
           {"near_depth", near_depth(camera)}};
 }
 
-Json shots_json(const View& view, std::span<const Shot> shots) {
-  Json list = Json::array();
-  for (const Shot& shot : shots) {
-    Json entry{{"name", shot.name}};
-    entry.update(blender_nodes(record_shot(view, shot)));
-    list.push_back(entry);
+bool reads(const Recorded& recorded, std::string_view input) {
+  return std::ranges::any_of(in_order({recorded.color}), [&](const Node* node) {
+    return node->op == Op::kInput && node->name == input;
+  });
+}
+
+/// Gathers the files of a package while it describes what refers to them.
+class PackageWriter {
+ public:
+  PackageWriter(const Scene& scene, std::string name, ShotShaders shaders)
+      : scene_(scene), name_(std::move(name)), shaders_(shaders) {}
+
+  Package package;
+
+  Json mesh() {
+    const TriangleMesh& mesh = scene_.mesh;
+    return {{"file", add(".mesh.bin", mesh_bytes(mesh))},
+            {"vertices", mesh.positions.size()},
+            {"triangles", mesh.triangles.size()}};
   }
-  return list;
+
+  Json shot(const Shot& shot) {
+    const Language language = shaders_ == ShotShaders::kOsl ? Language::kOsl : Language::kBlender;
+    if (const auto why = language_shortfall(language, shot.material)) {
+      throw Error(fmt::format("material.rate is \"vertex\": {}", *why));
+    }
+    const Recorded recorded = record_shot(scene_.view, shot);
+    Json json{{"name", shot.name}};
+    json.update(shaders_ == ShotShaders::kOsl ? script(shot) : blender_nodes(recorded.color));
+    for (const char* input : {"texture", "texture_axes"}) {
+      if (reads(recorded, input)) json[input] = texture(shot.material);
+    }
+    return json;
+  }
+
+ private:
+  /// The file's name.
+  std::string add(const std::string& ending, std::string bytes) {
+    package.push_back({name_ + ending, std::move(bytes)});
+    return package.back().name;
+  }
+
+  /// The texture as the form of the material has it: {"file": ...} or {"color": [...]}.
+  Json texture(const Material& material) {
+    const auto* image = std::get_if<TextureImage>(&scene_.texture);
+    if (!image) {
+      return {{"color", components(texture_value(std::get<Vec3d>(scene_.texture), material))}};
+    }
+    const bool baked = material.form == Form::kBaked;
+    const std::string_view space = kSpaceNames[std::size_t(material.space)];
+    const std::string ending = baked ? fmt::format(".{}.axes.exr", space) : ".texture.png";
+    const auto here = std::ranges::find(package, name_ + ending, &PackedFile::name);
+    if (here != package.end()) return {{"file", here->name}};
+    return {{"file", add(ending, baked ? texture_exr(baked_texture(*image, material))
+                                       : texture_png(*image))}};
+  }
+
+  /// {"osl": file, "inputs": {"normal": "normal_value", ...}}, each of our names with the shader's.
+  Json script(const Shot& shot) {
+    const ShaderJob job{shot.name, scene_.view, shot, Keep::kNeeded, std::nullopt};
+    const Emission emission = emit(job, Language::kOsl);
+    Json json{{"osl", add(fmt::format(".{}.osl", shot.name), emission.front().text)},
+              {"inputs", Json::object()}};
+    const Json parameters = Json::parse(emission.back().text);
+    for (const Json& input : parameters.value("inputs", Json::array())) {
+      json["inputs"][input["name"].get<std::string>()] = input["identifier"];
+    }
+    return json;
+  }
+
+  const Scene& scene_;
+  std::string name_;
+  ShotShaders shaders_;
+};
+
+/// The functions that blender_scene.py calls: those of lumaknot_nodes.py, without the lines at its
+/// end that run it as a program, and of blender_osl.py.
+std::string functions_above(ShotShaders shaders) {
+  const std::string_view nodes = embedded::blender_nodes_script();
+  std::string text(nodes.substr(0, nodes.find("\n\nif __name__")));
+  if (shaders == ShotShaders::kOsl) text += fmt::format("\n\n{}", embedded::blender_osl_script());
+  return text;
 }
 
 }  // namespace
 
-Package blender_package(const Scene& scene, std::span<const Shot> shots, const std::string& name) {
-  Package package{{name + ".mesh.bin", mesh_bytes(scene.mesh)}};
-  Json texture;
-  if (const auto* image = std::get_if<TextureImage>(&scene.texture)) {
-    package.push_back({name + ".texture.png", texture_png(*image)});
-    texture = {{"file", name + ".texture.png"}};
-  } else {
-    texture = {{"color", components(std::get<Vec3d>(scene.texture))}};
-  }
-  const Json parameters{
-      {"mesh",
-       {{"file", name + ".mesh.bin"},
-        {"vertices", scene.mesh.positions.size()},
-        {"triangles", scene.mesh.triangles.size()}}},
-      {"texture", texture},
-      {"camera", camera_json(scene.view.camera)},
-      {"image", {{"width", scene.view.image.width}, {"height", scene.view.image.height}}},
-      {"shots", shots_json(scene.view, shots)}};
+std::string_view blender_nodes_loader() { return embedded::blender_nodes_script(); }
+
+Package blender_package(const Scene& scene, std::span<const Shot> shots, const std::string& name,
+                        ShotShaders shaders) {
+  PackageWriter writer(scene, name, shaders);
+  const ImageSpec& image = scene.view.image;
+  Json parameters{{"mesh", writer.mesh()},
+                  {"camera", camera_json(scene.view.camera)},
+                  {"image", {{"width", image.width}, {"height", image.height}}},
+                  {"shots", Json::array()}};
+  for (const Shot& shot : shots) parameters["shots"].push_back(writer.shot(shot));
+  Package package = std::move(writer.package);
   // JSON escapes control characters and holds no triple quote outside a string; names are checked
   // by the caller, so nothing here ends the Python literal.
-  package.push_back(
-      {name + ".py", fmt::format("# Made by lumaknot. blender --python {}.py\n"
-                                 "import json\n\n"
-                                 "PARAMETERS = json.loads(r'''{}''')\n\n{}",
-                                 name, parameters.dump(1), embedded::blender_scene_script())});
+  package.push_back({name + ".py", fmt::format("# Made by lumaknot. blender --python {}.py\n"
+                                               "import json\n\n"
+                                               "PARAMETERS = json.loads(r'''{}''')\n\n{}\n\n{}",
+                                               name, parameters.dump(1), functions_above(shaders),
+                                               embedded::blender_scene_script())});
   return package;
 }
 

@@ -10,9 +10,20 @@
 
 namespace lumaknot {
 
-/// NAME.py with NAME.mesh.bin and, unless the texture is a plain colour, NAME.texture.png. One
-/// material a shot. Run as `blender --python NAME.py`; after `--` it takes --engine cycles|eevee,
-/// --render SHOT=FILE.exr and --save FILE.blend.
-Package blender_package(const Scene& scene, std::span<const Shot> shots, const std::string& name);
+/// What computes the colours of the shots.
+enum class ShotShaders {
+  kNodes,  ///< shader nodes
+  kOsl     ///< the emitted OSL, NAME.SHOT.osl: Cycles alone, in a Blender built with OSL
+};
+
+/// NAME.py with NAME.mesh.bin and, unless the texture is a plain colour, what the shots read of it:
+/// NAME.texture.png and, for each space that it is baked in, NAME.SPACE.axes.exr. One material a
+/// shot. Run as `blender --python NAME.py`; after `--` it takes --engine cycles|eevee,
+/// --render SHOT=FILE.exr and --save FILE.blend. Throws Error for a shot that Blender can't draw.
+Package blender_package(const Scene& scene, std::span<const Shot> shots, const std::string& name,
+                        ShotShaders shaders = ShotShaders::kNodes);
+
+/// lumaknot_nodes.py, which builds emitted recipes as node groups.
+std::string_view blender_nodes_loader();
 
 }  // namespace lumaknot

@@ -3,8 +3,9 @@
     blender -b --factory-startup --python knot.py -- --render final=final.exr
 
 Run without arguments it only builds the scene. It replaces what is in the open
-file. PARAMETERS, defined above, describes the scene; the arrays and the texture
-lie beside this script.
+file. PARAMETERS, defined above, describes the scene; the functions that build
+nodes, lumaknot_nodes.py, stand above too; the arrays and the textures lie
+beside this script.
 """
 
 import argparse
@@ -17,15 +18,6 @@ import bpy
 from mathutils import Matrix, Vector
 
 NORMAL_ATTRIBUTE = "lumaknot_normal"
-COLUMN_WIDTH = 200
-ROW_HEIGHT = 190
-
-
-def beside_script(name):
-    """Path of a file next to this script, also when run from the text editor."""
-    text = bpy.data.texts.get(os.path.basename(__file__))
-    script = bpy.path.abspath(text.filepath) if text and text.filepath else __file__
-    return os.path.join(os.path.dirname(os.path.abspath(script)), name)
 
 
 def read_array(stream, typecode, count):
@@ -124,36 +116,15 @@ def add_camera(spec, mesh):
     bpy.context.scene.camera = camera
 
 
-def load_image(spec):
-    """Loads the texture as plain numbers; None when it is a constant colour."""
-    if "file" not in spec:
-        return None
-    image = bpy.data.images.load(beside_script(spec["file"]))
+def load_image(name):
+    """Loads a texture as plain numbers, once."""
+    image = bpy.data.images.load(beside_script(name), check_existing=True)
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "NONE"
     image.use_half_precision = False
     if not all(image.size):
         raise ValueError(f"{image.filepath} is not an image")
     return image
-
-
-def socket(sockets, identifier):
-    """Finds a node's socket by its identifier."""
-    return next(item for item in sockets if item.identifier == identifier)
-
-
-def add_node(tree, kind, inputs, operation=None):
-    """Adds a node; an input is an output socket to link or a default value."""
-    node = tree.nodes.new(kind)
-    if operation:
-        node.operation = operation
-    for identifier, value in inputs.items():
-        target = socket(node.inputs, identifier)
-        if isinstance(value, bpy.types.NodeSocket):
-            tree.links.new(value, target)
-        else:
-            target.default_value = value
-    return node
 
 
 def vector_math(tree, operation, *operands):
@@ -192,23 +163,22 @@ def bilinear_colour(tree, image, uv):
     return blend(below, above, weight["Y"])
 
 
-def texture_colour(tree, texture):
-    """Output socket with the texture's colour."""
-    if not texture.image:
-        output = tree.nodes.new("ShaderNodeRGB").outputs[0]
-        output.default_value = (*texture.colour, 1)
-        return output
+def texture_colour(tree, spec, by_texels):
+    """Output socket with the colour of a texture, or of the surface as a whole."""
+    if "file" not in spec:
+        return constant_output(tree, {"vector": spec["color"]})
+    image = load_image(spec["file"])
     node = tree.nodes.new("ShaderNodeUVMap")
     node.uv_map = "UVMap"
-    if texture.by_texels:
-        return bilinear_colour(tree, texture.image, node.outputs[0])
-    return image_colour(tree, texture.image, "Linear", node.outputs[0])
+    if by_texels:
+        return bilinear_colour(tree, image, node.outputs[0])
+    return image_colour(tree, image, "Linear", node.outputs[0])
 
 
-def input_output(tree, name, texture):
+def input_output(tree, name, shot, by_texels):
     """Output socket of one of the shot's inputs."""
-    if name == "texture":
-        return texture_colour(tree, texture)
+    if name in ("texture", "texture_axes"):
+        return texture_colour(tree, shot[name], by_texels)
     if name == "position":
         return socket(tree.nodes.new("ShaderNodeNewGeometry").outputs, "Position")
     if name != "normal":
@@ -218,54 +188,27 @@ def input_output(tree, name, texture):
     return socket(node.outputs, "Vector")
 
 
-def constant_output(tree, entry):
-    """Output socket of a number or a vector."""
-    if "value" in entry:
-        output = tree.nodes.new("ShaderNodeValue").outputs[0]
-        output.default_value = entry["value"]
-        return output
-    inputs = dict(zip("XYZ", entry["vector"]))
-    return add_node(tree, "ShaderNodeCombineXYZ", inputs).outputs[0]
+def shot_output(tree, shot, by_texels):
+    """Output socket with the shot's colour, of nodes or of one OSL script, or None."""
+    def read_input(name):
+        return input_output(tree, name, shot, by_texels)
+
+    build = script_output if "osl" in shot else recipe_output
+    return build(tree, shot, read_input)
 
 
-def entry_output(tree, entry, done, texture):
-    """Adds one entry of a shot's list; `done` are the outputs of those before."""
-    if "input" in entry:
-        output = input_output(tree, entry["input"], texture)
-    elif "type" in entry:
-        inputs = {name: done[source["node"]] if "node" in source else source["const"]
-                  for name, source in entry["sockets"].items()}
-        node = add_node(tree, entry["type"], inputs, entry.get("operation"))
-        output = socket(node.outputs, entry["output"])
-    else:
-        output = constant_output(tree, entry)
-    output.node.label = entry.get("label", "")
-    return output
-
-
-def lay_out(tree):
-    """Arranges the nodes, which come in dependency order, in columns by depth."""
-    columns, heights = {}, {}
-    for node in tree.nodes:
-        sources = [link.from_node.name for item in node.inputs for link in item.links]
-        column = 1 + max((columns[name] for name in sources), default=-1)
-        row = heights.get(column, 0)
-        columns[node.name], heights[column] = column, row + 1
-        node.location = (column * COLUMN_WIDTH, -row * ROW_HEIGHT)
-
-
-def add_material(shot, texture):
-    """Creates the material that emits the shot's colour."""
+def add_material(shot, by_texels):
+    """Creates the material that emits the shot's colour; None when its shader is bad."""
     material = bpy.data.materials.new(shot["name"])
     material.use_fake_user = True
     if not material.node_tree:
         material.use_nodes = True
     tree = material.node_tree
     tree.nodes.clear()
-    outputs = []
-    for entry in shot["nodes"]:
-        outputs.append(entry_output(tree, entry, outputs, texture))
-    emission = add_node(tree, "ShaderNodeEmission", {"Color": outputs[shot["output"]]})
+    output = shot_output(tree, shot, by_texels)
+    if not output:
+        return None
+    emission = add_node(tree, "ShaderNodeEmission", {"Color": output})
     add_node(tree, "ShaderNodeOutputMaterial", {"Surface": emission.outputs[0]})
     lay_out(tree)
     return material
@@ -346,10 +289,9 @@ def build_scene(engine):
     set_cycles(scene)
     set_eevee(scene)
     scene.render.engine = engine_name(engine)
-    spec = PARAMETERS["texture"]
-    texture = argparse.Namespace(image=load_image(spec), colour=spec.get("color"),
-                                 by_texels=engine == "eevee")
-    return knot, [add_material(shot, texture) for shot in PARAMETERS["shots"]]
+    shots = PARAMETERS["shots"]
+    scene.cycles.shading_system = any("osl" in shot for shot in shots)
+    return knot, [add_material(shot, engine == "eevee") for shot in shots]
 
 
 def render_shot(knot, material, path):
@@ -383,11 +325,14 @@ def main():
     arguments = parse_arguments()
     knot, materials = build_scene(arguments.engine)
     for index, path in arguments.render:
-        render_shot(knot, materials[index], path)
+        if materials[index]:
+            render_shot(knot, materials[index], path)
     knot.data.materials[0] = materials[-1]
     if arguments.save:
         bpy.ops.file.pack_all()
         bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(arguments.save))
+    print(f"Blender {bpy.app.version_string}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -99,10 +99,16 @@ std::vector<Integer> interleaved(const TextureImage& texture) {
   return values;
 }
 
+/// Floats without the present moment, which the writer would else put into the file.
+OIIO::ImageSpec exr_spec(int width, int height, int channels) {
+  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeFloat);
+  spec["DateTime"] = "1970:01:01 00:00:00";
+  return spec;
+}
+
 void write_exr(const std::filesystem::path& path, const Image& image) {
   auto output = OIIO::ImageOutput::create(path.string());
-  OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeFloat);
-  spec["DateTime"] = "1970:01:01 00:00:00";  // else the writer puts the present moment
+  const OIIO::ImageSpec spec = exr_spec(image.width, image.height, 4);
   if (!output || !output->open(path.string(), spec) ||
       !output->write_image(OIIO::TypeFloat, image.pixels.data()) || !output->close()) {
     throw Error(
@@ -158,6 +164,19 @@ std::string texture_png(const TextureImage& texture) {
   return is_eight_bit(texture)
              ? encode_png(texture.width, texture.height, 3, interleaved<std::uint8_t>(texture))
              : encode_png(texture.width, texture.height, 3, interleaved<std::uint16_t>(texture));
+}
+
+std::string texture_exr(const TextureImage& texture) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  auto output = OIIO::ImageOutput::create("memory.exr");
+  const OIIO::ImageSpec spec = exr_spec(texture.width, texture.height, 3);
+  output->set_ioproxy(&memory);
+  if (!output->open("memory.exr", spec) ||
+      !output->write_image(OIIO::TypeFloat, texture.pixels.data()) || !output->close()) {
+    throw std::runtime_error("EXR: " + output->geterror());
+  }
+  return {bytes.begin(), bytes.end()};
 }
 
 std::string grey_png(const Grid<float>& values) {

@@ -16,6 +16,9 @@ TextureImage read_texture(const std::filesystem::path& path, std::string_view la
 /// The texture as a PNG file's bytes: 8 bits where that is exact, else 16.
 std::string texture_png(const TextureImage& texture);
 
+/// The texture as a float EXR file's bytes.
+std::string texture_exr(const TextureImage& texture);
+
 /// Values of a grid in [0, 1] as the bytes of a grey PNG file, 16 bits.
 std::string grey_png(const Grid<float>& values);
 

@@ -1,13 +1,16 @@
 /// Scenes for POV-Ray 3.7.
 ///
-/// POV-Ray's lighting is fixed, yet it draws both formulas natively. Classical Phong is a finish.
-/// YIQ's eq. 6-8 collapse to F = T + Y (L_A + L_D - 1) + L_S + offset, an average of textures: one
-/// that emits T and carries the highlight, one whose pigment is Y. Negative emission is legal;
-/// negative colours are cut only where the image is written.
+/// POV-Ray's lighting is fixed: Lambert's diffuse term, Phong's highlight or Blinn's, coloured
+/// lights. In space rgb that is the formula. In a linear space of brightness eq. 6-8 collapse to
+/// F = T + Y (L_A + L_D - 1) + L_S + offset, an average of textures: one that emits T and carries
+/// the highlight, one whose pigment is Y. Negative emission is legal; negative colours are cut only
+/// where the image is written.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "exporters/package.h"
 #include "scene/scene.h"
@@ -15,26 +18,41 @@
 
 namespace lumaknot {
 
-/// What of `shot` POV-Ray can't express and draws in another way, or nothing.
-std::optional<std::string> pov_shortfall(const Shot& shot);
+/// Why POV-Ray can't draw `shot` by its own lighting, or nothing when it can. Where it turns
+/// normals to the viewer and leaves out highlights in which n.l <= 0 is not told here.
+std::optional<std::string> pov_shortfall(const View& view, const Shot& shot);
+
+/// Which light of `shot` POV-Ray can't draw at all, and the nearest that it can; or nothing: then
+/// the final picture can be put together from its texture, diffuse and specular stages. Always a
+/// shortfall too.
+std::optional<std::string> pov_missing_term(const View& view, const Shot& shot);
+
+/// Throws Error with what is missing and the nearest thing that works where the scene of `shot`
+/// would be another formula without it.
+void check_pov_export(const View& view, const Shot& shot);
+
+/// Whether `shot` shows L_D, L_S: it is that term, or final with a weight that is not 0 and a
+/// light.
+bool needs_diffuse(const View& view, const Shot& shot);
+bool needs_specular(const View& view, const Shot& shot);
 
 /// The data of a mesh2: vertices, normals, texture coordinates, triangles. POV-Ray keeps float32.
 std::string pov_mesh(const TriangleMesh& mesh);
 
-/// The names of a POV-Ray scene's other files.
-struct PovNames {
-  std::string texture;  ///< an RGB PNG
-  std::string luma;     ///< a 16-bit grey PNG
-};
+/// The scene that draws `shot`, which misses no term and, when final, is of space rgb or a linear
+/// one; what else it falls short of is left out. `mesh` is the data of pov_mesh() or an #include of
+/// it; `prefix` begins the names of the image files.
+std::string pov_scene(const View& view, const Texture& texture, const Shot& shot,
+                      const std::string& prefix, std::string_view mesh);
 
-/// The scene that draws `shot`; `mesh` is the data of pov_mesh() or an #include of it.
-std::string pov_scene(const Scene& scene, const Shot& shot, const PovNames& names,
-                      std::string_view mesh);
+/// The PNG files that the scenes of `shots` read: PREFIXtexture.png, and PREFIXyiq-luma.png and the
+/// like, 16-bit grey. None for a plain colour.
+Package pov_textures(const Texture& texture, std::span<const Shot> shots,
+                     const std::string& prefix);
 
-/// The PNG files that `pov_scene` reads; none for a plain colour.
-Package pov_textures(const Scene& scene, const PovNames& names);
-
-/// NAME.pov, which draws the scene as it stands, with the images that it needs beside it.
+/// NAME.pov, which draws the scene as it stands, with the images that it needs beside it. Clamps,
+/// unnormalised normals and the rule for the gamut are left out, with a comment that says so.
+/// Throws Error as check_pov_export() does.
 Package pov_package(const Scene& scene, const std::string& name);
 
 }  // namespace lumaknot

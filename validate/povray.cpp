@@ -6,6 +6,7 @@
 #include "exporters/pov.h"
 #include "scene/atomic_file.h"
 #include "validate/external.h"
+#include "validate/povray_plan.h"
 
 namespace lumaknot {
 namespace {
@@ -14,11 +15,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kBanner = "Persistence of Vision(tm) Ray Tracer Version ";
 
-/// The scene of an animation: frame n draws shot n. One process for all shots.
-std::string animation(std::span<const Shot> shots) {
+std::string scene_file(std::size_t index) { return fmt::format("scene{}.pov", index + 1); }
+
+/// The scene of an animation: its frames are the scene files. One process for all of them.
+std::string animation(std::size_t frames) {
   std::string text = "#version 3.7;\n#switch (frame_number)\n";
-  for (std::size_t i = 0; i < shots.size(); ++i) {
-    text += fmt::format("  #case ({}) #include \"{}.pov\" #break\n", i + 1, shots[i].name);
+  for (std::size_t i = 0; i < frames; ++i) {
+    text += fmt::format("  #case ({}) #include \"{}\" #break\n", i + 1, scene_file(i));
   }
   return text + "#end\n";
 }
@@ -28,16 +31,13 @@ std::string frame_file(std::size_t index, std::size_t frames) {
   return fmt::format("frame{:0{}}.png", index + 1, std::to_string(frames).size());
 }
 
-void write_scene(const fs::path& folder, const Scene& scene, std::span<const Shot> shots) {
-  const PovNames names{"texture.png", "luma.png"};
-  Package package = pov_textures(scene, names);
+void write_scenes(const fs::path& folder, const Scene& scene, std::span<const Shot> shots,
+                  const std::vector<std::string>& frames) {
+  Package package = pov_textures(scene.texture, shots, "");
   package.push_back({"mesh.inc", pov_mesh(scene.mesh)});
   package.push_back({"empty.ini", "; in place of the user's\n"});
-  for (const Shot& shot : shots) {
-    package.push_back(
-        {shot.name + ".pov", pov_scene(scene, shot, names, "  #include \"mesh.inc\"\n")});
-  }
-  package.push_back({"animation.pov", animation(shots)});
+  for (std::size_t i = 0; i < frames.size(); ++i) package.push_back({scene_file(i), frames[i]});
+  package.push_back({"animation.pov", animation(frames.size())});
   write_package(folder, package, "POV-Ray's folder");
 }
 
@@ -60,39 +60,57 @@ std::vector<std::string> arguments(const std::string& program, const ImageSpec& 
           fmt::format("+WT{}", std::max(1u, std::thread::hardware_concurrency()))};
 }
 
-/// The index of the drawn shot of `stage` with the shininess of `final`, or nothing.
-std::optional<std::size_t> find_stage(std::span<const Shot> shots, const std::vector<Drawn>& drawn,
-                                      Stage stage, const Shot& final) {
-  for (std::size_t i = 0; i < shots.size(); ++i) {
-    if (shots[i].stage == stage && drawn[i].status == Drawn::Status::kDrawn &&
-        shots[i].material.shininess == final.material.shininess) {
-      return i;
-    }
+/// What became of the frames that POV-Ray was asked for.
+std::vector<Drawn> drawn_frames(const Ended& ended, const fs::path& folder, const View& view,
+                                std::size_t frames) {
+  const std::string bad = bad_end(ended);
+  if (!bad.empty()) return undrawn(frames, Drawn::Status::kFailed, bad);
+  std::vector<Drawn> drawn;
+  for (std::size_t i = 0; i < frames; ++i) {
+    drawn.push_back(drawn_image(folder / frame_file(i, frames), view));
   }
-  return std::nullopt;
+  return drawn;
 }
 
-/// A shot that POV-Ray can't draw by itself, put together from the terms that it drew.
-Drawn composed(const Scene& scene, const Shot& shot, std::span<const Shot> shots,
-               const std::vector<Drawn>& drawn) {
-  const auto texture = find_stage(shots, drawn, Stage::kTexture, shot);
-  const auto diffuse = find_stage(shots, drawn, Stage::kDiffuse, shot);
-  const auto specular = find_stage(shots, drawn, Stage::kSpecular, shot);
-  if (!texture || !diffuse || !specular) {
-    return undrawn(1, Drawn::Status::kSkipped,
-                   *pov_shortfall(shot) + ", and its terms were not drawn apart")
-        .front();
+/// The image of a term that was drawn with its light divided by `brightness`; black without.
+Image term_image(const std::vector<Drawn>& frames, std::optional<std::size_t> index,
+                 double brightness, const ImageSpec& size) {
+  if (!index) return {size.width, size.height};
+  Image image = frames[*index].image;
+  for (RgbaPixel& p : image.pixels) p.color = to_rgb(to_vec(p.color) * brightness);
+  return image;
+}
+
+/// A shot that POV-Ray can't draw by itself, put together from what it drew.
+Drawn composed(const Scene& scene, const Shot& shot, const PovShot& planned,
+               const std::vector<Drawn>& frames) {
+  const PovParts& parts = *planned.parts;
+  for (const auto index : {std::optional(parts.texture), parts.diffuse, parts.specular}) {
+    if (index && frames[*index].status != Drawn::Status::kDrawn) return frames[*index];
   }
   Drawn result;
   result.status = Drawn::Status::kDrawn;
-  result.instead = shot;
-  result.instead->material.normal = NormalUse::kUnit;
-  result.note = *pov_shortfall(shot) +
-                ": composed from the texture, diffuse and specular images that it drew, and "
-                "compared with our image with unit normals";
-  result.image = compose(scene, *result.instead, drawn[*texture].image, drawn[*diffuse].image,
-                         drawn[*specular].image);
+  result.note =
+      planned.why + ": composed from the texture, diffuse and specular images that it drew";
+  Shot nearest = shot;
+  nearest.material.normal = NormalUse::kUnit;
+  if (shot.material.normal != NormalUse::kUnit) {
+    result.instead = nearest;
+    result.note += ", and compared with our image with unit normals";
+  }
+  const auto term = [&](std::optional<std::size_t> index) {
+    return term_image(frames, index, parts.brightness, scene.view.image);
+  };
+  result.image = compose(scene, nearest, frames[parts.texture].image, term(parts.diffuse),
+                         term(parts.specular));
   return result;
+}
+
+Drawn shown(const Scene& scene, const Shot& shot, const PovShot& planned,
+            const std::vector<Drawn>& frames) {
+  if (planned.frame) return frames[*planned.frame];
+  if (planned.parts) return composed(scene, shot, planned, frames);
+  return undrawn(1, Drawn::Status::kSkipped, planned.why).front();
 }
 
 class PovRay final : public Renderer {
@@ -134,38 +152,29 @@ class PovRay final : public Renderer {
 
   void draw_in_folder(const fs::path& program, const Scene& scene, std::span<const Shot> shots,
                       Rendering& rendering) const {
-    std::vector<Shot> native;
-    std::ranges::copy_if(shots, std::back_inserter(native),
-                         [](const Shot& s) { return !pov_shortfall(s); });
+    const PovPlan plan = plan_povray(scene, shots, "", "  #include \"mesh.inc\"\n");
     const PrivateFolder folder;
-    write_scene(folder.path(), scene, native);
-    rendering.command = arguments(program.string(), scene.view.image, native.size());
-    const Ended ended =
-        run({rendering.command, folder.path(), {"POVINI=empty.ini"}}, programs_.time_limit);
+    std::vector<Drawn> frames;
+    if (!plan.frames.empty()) {
+      write_scenes(folder.path(), scene, shots, plan.frames);
+      rendering.command = arguments(program.string(), scene.view.image, plan.frames.size());
+      const Ended ended =
+          run({rendering.command, folder.path(), {"POVINI=empty.ini"}}, programs_.time_limit);
+      tell_run(ended, rendering);
+      frames = drawn_frames(ended, folder.path(), scene.view, plan.frames.size());
+    }
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      rendering.shots.push_back(shown(scene, shots[i], plan.shots[i], frames));
+    }
+  }
+
+  static void tell_run(const Ended& ended, Rendering& rendering) {
     rendering.seconds = ended.seconds;
     rendering.log = ended.log;
     const std::string banner = line_with(ended.log, kBanner);
-    if (!banner.empty()) {
-      rendering.version = banner.substr(kBanner.size());
-      rendering.version.resize(std::min(rendering.version.size(), rendering.version.find(" (")));
-    }
-    const std::string bad = bad_end(ended);
-    std::size_t frame = 0;
-    for (const Shot& shot : shots) {
-      if (pov_shortfall(shot)) {
-        rendering.shots.emplace_back();
-      } else if (!bad.empty()) {
-        rendering.shots.push_back(undrawn(1, Drawn::Status::kFailed, bad).front());
-      } else {
-        rendering.shots.push_back(
-            drawn_image(folder.path() / frame_file(frame++, native.size()), scene.view));
-      }
-    }
-    for (std::size_t i = 0; i < shots.size(); ++i) {
-      if (pov_shortfall(shots[i])) {
-        rendering.shots[i] = composed(scene, shots[i], shots, rendering.shots);
-      }
-    }
+    if (banner.empty()) return;
+    rendering.version = banner.substr(kBanner.size());
+    rendering.version.resize(std::min(rendering.version.size(), rendering.version.find(" (")));
   }
 
   Programs programs_;
