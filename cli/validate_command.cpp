@@ -91,12 +91,19 @@ void make_folder(const fs::path& folder) {
 /// A line on what a renderer's pictures came to.
 std::string summary(const Judgement& judgement) {
   std::string line = fmt::format("{:<8} ", judgement.rendering.renderer);
-  for (const Judged& shot : judgement.shots) {
-    if (shot.drawn.why.empty()) continue;
-    return line + fmt::format("{}: {}", outcome(shot), shot.drawn.why);
+  const std::vector<Judged>& shots = judgement.shots;
+  const auto status = [](const Judged& shot) { return shot.drawn.status; };
+  auto first = std::ranges::find(shots, Drawn::Status::kFailed, status);
+  const bool failed = first != shots.end();
+  if (!failed) first = std::ranges::find(shots, Drawn::Status::kSkipped, status);
+  if (failed || !judgement.drew_any()) {
+    return line + fmt::format("{}: {}", outcome(*first), first->drawn.why);
   }
-  if (judgement.first_difference.empty()) return line + "agreed";
-  return line + fmt::format("differed, first in: {}", judgement.first_difference);
+  const std::string& where = judgement.first_difference;
+  line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
+  const auto count = std::ranges::count(shots, Drawn::Status::kSkipped, status);
+  if (count > 0) line += fmt::format("; {} shots skipped: {}", count, first->drawn.why);
+  return line;
 }
 
 int exit_code_of(Verdict verdict) {

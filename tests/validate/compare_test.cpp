@@ -116,7 +116,7 @@ TEST(Explain, names_a_normal_turned_to_the_viewer) {
 
 TEST(Explain, names_a_highlight_that_is_gated_behind_the_light) {
   Scene scene = small_scene();
-  scene.view.light.position = {0.5, 5, 0};
+  scene.view.lights = {PointLight{.position = {0.5, 5, 0}, .color = {}, .falloff = {}}};
   const Bench bench{scene};
   Shot shot = final_shot("phong");
   shot.material.shininess = 2;
@@ -125,7 +125,7 @@ TEST(Explain, names_a_highlight_that_is_gated_behind_the_light) {
   without.material.specular = 0;
   for (std::size_t i = 0; i < theirs.pixels.size(); ++i) {
     const Fragment& f = bench.fragments.pixels[i];
-    if (dot(f.normal, scene.view.light.position - f.position) <= 0) {
+    if (dot(f.normal, Vec3d{0.5, 5, 0} - f.position) <= 0) {
       theirs.pixels[i].color = to_rgb(shade(scene, without, f));
     }
   }
@@ -151,7 +151,7 @@ TEST(Explain, does_not_explain_inward_winding_or_a_wrong_light) {
   const Bench bench{small_scene()};
   const Shot shot = final_shot("phong");
   Scene wrong = bench.scene;
-  wrong.view.light.position.x += 0.05;
+  std::get<PointLight>(wrong.view.lights[0]).position.x += 0.05;
   const Comparison c = bench.compare_with(shot, shade_all(wrong, shot, bench.fragments));
   EXPECT_GT(bench.count(c, PixelClass::kUnexplained), 100);
   EXPECT_FALSE(c.agrees());
@@ -188,7 +188,7 @@ TEST(Explain, names_a_ray_that_slipped_between_two_triangles) {
   }
   Scene scene{mesh, Vec3d{0.5, 0.5, 0.5}, {}};
   scene.view.camera = {{0, -4, 0}, {0, 0, 0}, {0, 0, 1}, 45};
-  scene.view.light.position = {0, -3, 0.5};
+  scene.view.lights = {PointLight{.position = {0, -3, 0.5}, .color = {}, .falloff = {}}};
   scene.view.image = {64, 64, 1};
   const Bench bench{scene};
   const Shot shot{"diffuse", Stage::kDiffuse, {}};

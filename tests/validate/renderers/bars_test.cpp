@@ -29,7 +29,7 @@ class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
     const SceneSpec spec = *builtin_scene(name);
     ValidationJob job{
         {flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view}, {}, {}, {}};
-    for (const NamedMaterial& m : named_materials()) {
+    for (const NamedMaterial& m : paper_materials()) {
       job.finals.push_back(
           {std::string(m.name), Stage::kFinal, *with_formula(spec.view.material, m.name)});
     }
@@ -97,7 +97,7 @@ Scene odd_scene() {
   }
   Scene scene{flat_mesh(knot_mesh(knot)), texture, {}};
   scene.view.camera = {{2.5, 1.5, -2.0}, {0.2, 0.1, 0}, {0.3, 1, 0.1}, 52};
-  scene.view.light.position = {-1, 2, 3};  // partly behind: highlights where n.l < 0
+  scene.view.lights = {PointLight{.position = {-1, 2, 3}, .color = {}, .falloff = {}}};  // partly behind: highlights where n.l < 0
   scene.view.ambient = 0.3;
   scene.view.image = {301, 200, 1};
   return scene;
@@ -109,7 +109,7 @@ TEST(OddScene, agrees_in_every_renderer) {
   material.shininess = 3;
   material.diffuse = 0.8;
   material.specular = 0.6;
-  for (const NamedMaterial& m : named_materials()) {
+  for (const NamedMaterial& m : paper_materials()) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(material, m.name)});
   }
   job.scene.view.material = material;
@@ -143,11 +143,11 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
   }
   Scene scene{flat_mesh(knot_mesh(knot)), noise, {}};
   scene.view.camera = {{0.9, 1.4, -1.9}, {0.1, 0, -0.1}, {0.1, -0.2, 1}, 60};
-  scene.view.light.position = {-2, -3, 1};
+  scene.view.lights = {PointLight{.position = {-2, -3, 1}, .color = {}, .falloff = {}}};
   scene.view.image = {256, 256, 1};
   ValidationJob job{scene, {}, {}, {}};
-  for (const NamedMaterial& m : named_materials()) {
-    job.finals.push_back({std::string(m.name), Stage::kFinal, m.material});
+  for (const NamedMaterial& m : paper_materials()) {
+    job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(Material{}, m.name)});
   }
   const Validation v = validate(job);
   for (const Judgement& judgement : v.judgements) {
