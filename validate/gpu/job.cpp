@@ -99,13 +99,13 @@ Draw read_draw(Fields fields, const Context& context) {
   draw.vertex = read_shader(fields, "vertex", context);
   draw.fragment = read_shader(fields, "fragment", context);
   draw.output = context.folder / fields.text("output");
-  if (context.vulkan() && fields.has("uniform_block")) {
-    draw.uniform_block = read_text(context.folder / fields.text("uniform_block"),
-                                   fields.path("uniform_block"), kMaxBlockBytes);
-  }
-  if (context.vulkan())
+  if (context.vulkan()) {
     draw.uniform_binding = fields.integer_or("uniform_binding", 0, kMaxBinding, 0);
-  if (!context.vulkan()) {
+    if (fields.has("uniform_block")) {
+      draw.uniform_block = read_text(context.folder / fields.text("uniform_block"),
+                                     fields.path("uniform_block"), kMaxBlockBytes);
+    }
+  } else {
     for (Fields& f : fields.objects("uniforms", true)) draw.uniforms.push_back(read_uniform(f));
   }
   fields.finish();
