@@ -102,7 +102,7 @@ std::string summary(const Judgement& judgement) {
   const std::string& where = judgement.first_difference;
   line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
   const auto count = std::ranges::count(shots, Drawn::Status::kSkipped, status);
-  if (count > 0) line += fmt::format("; {} shots skipped: {}", count, first->drawn.why);
+  if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
   return line;
 }
 

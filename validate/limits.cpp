@@ -12,7 +12,7 @@ constexpr Limits gpu_limits(std::string_view name) {
           .edge = 1.0 / 128,
           .mean = 5e-4,
           .p999 = 5e-3,
-          .outlier = 2e-2,
+          .outlier = 5e-3,
           .unexplained = 5,
           .reason =
               "the rasteriser snaps vertices to a grid of 1/256 pixel: that moves what a sample "
@@ -29,6 +29,13 @@ constexpr std::array kLimits{
            .reason = "positions, normals and texture coordinates in float32: a few units in the "
                      "last place are a thousandth of a texel at twenty tiles of a hundred, times "
                      "the texture's steps, up to 1"},
+    Limits{.renderer = "OSL",
+           .edge = 1e-3,
+           .mean = 5e-4,
+           .p999 = 5e-3,
+           .outlier = 5e-3,
+           .reason = "as in Cycles, float32; and the fast pow of OSL's library errs by 1.4e-5 + "
+                     "1.8e-7 times the exponent of its value"},
     Limits{.renderer = "POV-Ray",
            .edge = 1e-3,
            .p9999 = 5e-4,

@@ -17,8 +17,10 @@ constexpr std::string_view kBanner = "Persistence of Vision(tm) Ray Tracer Versi
 
 std::string scene_file(std::size_t index) { return fmt::format("scene{}.pov", index + 1); }
 
-/// The scene of an animation: its frames are the scene files. One process for all of them.
+/// The scene of an animation: its frames are the scene files. One process for all of them. POV-Ray
+/// takes a single frame for no animation: its number is then 0, and its file has none.
 std::string animation(std::size_t frames) {
+  if (frames == 1) return fmt::format("#version 3.7;\n#include \"{}\"\n", scene_file(0));
   std::string text = "#version 3.7;\n#switch (frame_number)\n";
   for (std::size_t i = 0; i < frames; ++i) {
     text += fmt::format("  #case ({}) #include \"{}\" #break\n", i + 1, scene_file(i));
@@ -28,6 +30,7 @@ std::string animation(std::size_t frames) {
 
 /// POV-Ray numbers frames with as many digits as the last one needs.
 std::string frame_file(std::size_t index, std::size_t frames) {
+  if (frames == 1) return "frame.png";
   return fmt::format("frame{:0{}}.png", index + 1, std::to_string(frames).size());
 }
 

@@ -189,6 +189,17 @@ TEST(PovMaterial, what_can_not_be_composed_is_skipped_with_the_nearest_thing) {
   }
 }
 
+// POV-Ray names the file of a single frame like that of no animation.
+TEST(PovMaterial, one_frame_alone_is_drawn) {
+  Shot shot{"gouraud", Stage::kFinal, formula("rgb-phong")};
+  shot.material.rate = Rate::kVertex;
+  const Validation v = run(testing::small_scene(), {shot});
+  EXPECT_EQ(judged(v, "texture").drawn.status, Drawn::Status::kDrawn);
+  for (const char* skipped : {"diffuse", "specular", "gouraud"}) {
+    EXPECT_EQ(judged(v, skipped).drawn.status, Drawn::Status::kSkipped) << skipped;
+  }
+}
+
 TEST(PovMaterial, light_too_bright_for_terms_in_16_bits_is_skipped_where_it_is_composed) {
   PointLight glaring = kWarm;
   glaring.color.intensity = 100;
