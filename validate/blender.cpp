@@ -6,8 +6,6 @@
 #include <thread>
 #include <utility>
 
-#include "scene/atomic_file.h"
-#include "scene/error.h"
 #include "validate/blender_run.h"
 #include "validate/external.h"
 
@@ -19,10 +17,10 @@ namespace fs = std::filesystem;
 /// A private X display, gone with this object.
 class Display {
  public:
-  Display(const fs::path& xvfb, const fs::path& folder)
+  explicit Display(const fs::path& xvfb)
       : server_(
             {{xvfb.string(), "-displayfd", "1", "-nolisten", "tcp", "-screen", "0", "640x480x24"},
-             folder,
+             folder_.path(),
              {}}) {
     // The server prints its display's number when it is ready.
     for (int tries = 0; tries < 200 && server_.running(); ++tries) {
@@ -41,6 +39,7 @@ class Display {
   const std::string& name() const { return name_; }
 
  private:
+  PrivateFolder folder_;
   Process server_;
   std::string name_;
 };
@@ -75,16 +74,17 @@ class Blender final : public Renderer {
 
   Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
     Rendering rendering;
-    rendering.renderer = name_;
     if (const std::string missing = remedy(); !missing.empty()) {
       rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, missing);
-      return rendering;
+    } else {
+      try {
+        rendering = draw_on_display(scene, shots);
+      } catch (const std::runtime_error& e) {
+        rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+      }
     }
-    try {
-      draw_in_folder(scene, shots, rendering);
-    } catch (const std::runtime_error& e) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
-    }
+    rendering.renderer = name_;
+    rendering.limited = engine_ == "eevee" && cuts_negative_colors(rendering.version);
     return rendering;
   }
 
@@ -100,33 +100,18 @@ class Blender final : public Renderer {
     return {};
   }
 
-  void draw_in_folder(const Scene& scene, std::span<const Shot> shots, Rendering& rendering) const {
-    const PrivateFolder folder;
-    write_package(folder.path(), blender_package(scene, shots, "scene"), "Blender's folder");
-    std::vector<std::string> script_arguments{"--engine", engine_};
-    for (const Shot& shot : shots) {
-      script_arguments.push_back("--render");
-      script_arguments.push_back(fmt::format("{0}={0}.exr", shot.name));
-    }
-    rendering.command =
-        blender_command(find_program(programs_.blender), "scene.py", script_arguments);
+  Rendering draw_on_display(const Scene& scene, std::span<const Shot> shots) const {
+    BlenderRun blender{.command = blender_command(find_program(programs_.blender), "scene.py"),
+                       .environment = {},
+                       .engine = engine_,
+                       .shaders = ShotShaders::kNodes,
+                       .time_limit = programs_.time_limit};
     std::optional<Display> display;
-    std::vector<std::string> environment;
     if (needs_display_) {
-      display.emplace(find_program(programs_.xvfb), folder.path());
-      environment = {"DISPLAY=" + display->name(), "LIBGL_ALWAYS_SOFTWARE=1"};
+      display.emplace(find_program(programs_.xvfb));
+      blender.environment = {"DISPLAY=" + display->name(), "LIBGL_ALWAYS_SOFTWARE=1"};
     }
-    const Ended ended = run({rendering.command, folder.path(), environment}, programs_.time_limit);
-    rendering.seconds = ended.seconds;
-    rendering.log = ended.log;
-    rendering.version = line_with(ended.log, "Blender ");
-    rendering.limited = engine_ == "eevee" && cuts_negative_colors(rendering.version);
-    const std::string bad = bad_end(ended);
-    for (const Shot& shot : shots) {
-      rendering.shots.push_back(bad.empty()
-                                    ? drawn_image(folder.path() / (shot.name + ".exr"), scene.view)
-                                    : undrawn(1, Drawn::Status::kFailed, bad).front());
-    }
+    return draw_in_blender(blender, scene, shots);
   }
 
   Programs programs_;
@@ -135,41 +120,6 @@ class Blender final : public Renderer {
 };
 
 }  // namespace
-
-std::vector<std::string> blender_command(const fs::path& program, const std::string& script,
-                                         const std::vector<std::string>& script_arguments) {
-  std::vector<std::string> command{program.string(),
-                                   "-b",
-                                   "--factory-startup",
-                                   "--disable-autoexec",
-                                   "--python-exit-code",
-                                   "7",
-                                   "--python",
-                                   script,
-                                   "--"};
-  command.insert(command.end(), script_arguments.begin(), script_arguments.end());
-  return command;
-}
-
-void save_blend(const Scene& scene, const Shot& shot, const fs::path& path,
-                const Programs& programs, std::string_view flag) {
-  const fs::path program = find_program(programs.blender);
-  if (program.empty()) {
-    throw Error(
-        fmt::format("{} {} needs Blender, and {} is not here; apt-get install blender, or "
-                    "export a .py",
-                    flag, path.string(), programs.blender));
-  }
-  const PrivateFolder folder;
-  write_package(folder.path(), blender_package(scene, {&shot, 1}, "scene"), "Blender's folder");
-  const Ended ended =
-      run({blender_command(program, "scene.py", {"--save", "scene.blend"}), folder.path(), {}},
-          programs.time_limit);
-  if (!ended.well()) {
-    throw Error(fmt::format("{} {}: Blender {}", flag, path.string(), bad_end(ended)));
-  }
-  write_file(path, read_file(folder.path() / "scene.blend", "Blender's file"), flag);
-}
 
 std::unique_ptr<Renderer> cycles_renderer(const Programs& programs) {
   return std::make_unique<Blender>(programs, "cycles", "Cycles", false);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <stdexcept>
 
 #include "validate/external.h"
 #include "validate/gpu_job.h"
@@ -28,6 +30,23 @@ fs::path gpu_program(const Programs& programs) {
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path beside = self.parent_path() / "lumaknot-gpu";
   return !error && fs::exists(beside) ? beside : find_program("lumaknot-gpu");
+}
+
+/// The shots as jobs: a job has one texture on the axes of a space, so each space baked into has
+/// its own; the first job also holds all that read none.
+std::vector<std::vector<Shot>> jobs_of(std::span<const Shot> shots) {
+  std::vector<std::vector<Shot>> jobs(1);
+  std::vector<Space> spaces;
+  for (const Shot& shot : shots) {
+    std::size_t job = 0;
+    if (shot.material.form == Form::kBaked) {
+      job = std::size_t(std::ranges::find(spaces, shot.material.space) - spaces.begin());
+      if (job == spaces.size()) spaces.push_back(shot.material.space);
+    }
+    if (job == jobs.size()) jobs.emplace_back();
+    jobs[job].push_back(shot);
+  }
+  return jobs;
 }
 
 class Gpu final : public Renderer {
@@ -61,11 +80,17 @@ class Gpu final : public Renderer {
       return rendering;
     }
     rendering.version = here.version;
-    try {
-      draw_in_folder(here.path, scene, shots, rendering);
-    } catch (const std::runtime_error& e) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+    std::map<std::string, Drawn> drawn;
+    for (const std::vector<Shot>& job : jobs_of(shots)) {
+      try {
+        draw_job(here.path, scene, job, rendering, drawn);
+      } catch (const std::runtime_error& e) {
+        for (const Shot& shot : job) {
+          drawn[shot.name] = undrawn(1, Drawn::Status::kFailed, e.what()).front();
+        }
+      }
     }
+    for (const Shot& shot : shots) rendering.shots.push_back(std::move(drawn[shot.name]));
     return rendering;
   }
 
@@ -84,23 +109,20 @@ class Gpu final : public Renderer {
     return {};
   }
 
-  void draw_in_folder(const std::string& program, const Scene& scene, std::span<const Shot> shots,
-                      Rendering& rendering) const {
+  void draw_job(const std::string& program, const Scene& scene, const std::vector<Shot>& shots,
+                Rendering& rendering, std::map<std::string, Drawn>& drawn) const {
     const PrivateFolder folder;
     write_gpu_job(folder.path(), scene, shots, interface_.language, programs_);
     rendering.command = {program, "job.json"};
     const Ended ended = run({rendering.command, folder.path(), {}}, programs_.time_limit);
-    rendering.seconds = ended.seconds;
-    rendering.log = ended.log;
-    if (const std::string bad = bad_end(ended); !bad.empty()) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, bad);
-      return;
-    }
+    rendering.seconds += ended.seconds;
+    rendering.log += ended.log;
+    if (const std::string bad = bad_end(ended); !bad.empty()) throw std::runtime_error(bad);
     const ImageSpec& size = scene.view.image;
     for (const Shot& shot : shots) {
-      rendering.shots.push_back(believed([&] {
+      drawn[shot.name] = believed([&] {
         return read_gpu_image(folder.path() / (shot.name + ".bin"), size.width, size.height);
-      }));
+      });
     }
   }
 

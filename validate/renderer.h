@@ -59,7 +59,7 @@ struct Programs {
   std::string povray = "povray", blender = "blender", xvfb = "Xvfb";
   std::string glslang = "glslangValidator";
   std::string gpu;         ///< lumaknot-gpu; empty: beside this program
-  std::string osl_python;  ///< a Python with the module bpy; empty: where scripts/install-extras puts it
+  std::string osl_python;  ///< a Python with bpy; empty: where scripts/install-extras puts it
   std::chrono::duration<double> time_limit = std::chrono::seconds(300);
 };
 
@@ -68,6 +68,9 @@ std::unique_ptr<Renderer> own_renderer(const Grid<Fragment>& fragments);
 std::unique_ptr<Renderer> povray_renderer(const Programs& programs);
 std::unique_ptr<Renderer> cycles_renderer(const Programs& programs);
 std::unique_ptr<Renderer> eevee_renderer(const Programs& programs);  ///< on a private X display
+
+/// The emitted OSL in Cycles of the Python module bpy: Debian's Blender is built without OSL.
+std::unique_ptr<Renderer> osl_renderer(const Programs& programs);
 
 /// The emitted shaders on OpenGL (glsl-330), OpenGL ES (glsl-es-300) and Vulkan (glsl-450, hlsl).
 std::unique_ptr<Renderer> gl_renderer(const Programs& programs);

@@ -23,7 +23,7 @@ constexpr KnownRenderer kRenderers[] = {
     {"cycles", cycles_renderer, true}, {"povray", povray_renderer, true},
     {"eevee", eevee_renderer, true},   {"gl", gl_renderer, true},
     {"vulkan", vulkan_renderer, true}, {"gles", gles_renderer, false},
-    {"hlsl", hlsl_renderer, false},
+    {"hlsl", hlsl_renderer, false},    {"osl", osl_renderer, false},
 };
 
 /// The stages that name a failure's cause, then the final pictures.

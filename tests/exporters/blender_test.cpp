@@ -1,15 +1,18 @@
 #include "exporters/blender.h"
 
+#include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "exporters/image_file.h"
+#include "shaders/lighting.h"
 #include "tests/exporters/exporters_testing.h"
 
 namespace lumaknot {
@@ -21,6 +24,7 @@ using ::testing::HasSubstr;
 using testing::names;
 using ::testing::Not;
 using testing::small_scene;
+using ::testing::UnorderedElementsAre;
 
 std::vector<Shot> shots() {
   return {{"texture", Stage::kTexture, testing::material("phong")},
@@ -143,12 +147,109 @@ TEST(BlenderPackage, parameters_tell_the_camera_exactly) {
 
 TEST(BlenderPackage, texture_is_a_file_or_a_color) {
   const Package with_image = blender_package(small_scene(), shots(), "k");
-  EXPECT_EQ(parameters(with_image)["texture"], json({{"file", "k.texture.png"}}));
+  EXPECT_EQ(parameters(with_image)["shots"][0]["texture"], json({{"file", "k.texture.png"}}));
   const testing::TemporaryFolder folder;
   EXPECT_EQ(read_texture(folder.file("t.png", with_image[1].bytes), "t").pixels,
             testing::small_texture().pixels);
   const Package plain = blender_package(small_scene(Vec3d{0.1, 0.5, 1}), shots(), "k");
-  EXPECT_EQ(parameters(plain)["texture"], json({{"color", {0.1, 0.5, 1.0}}}));
+  EXPECT_EQ(parameters(plain)["shots"][0]["texture"], json({{"color", {0.1, 0.5, 1.0}}}));
+}
+
+Shot baked(Space space, const std::string& name) {
+  Shot shot{name, Stage::kFinal, Material{}};
+  shot.material.space = space;
+  shot.material.form = Form::kBaked;
+  return shot;
+}
+
+/// The r, g and b of every pixel of an EXR file.
+std::vector<float> exr_values(const std::string& bytes) {
+  const testing::TemporaryFolder folder;
+  const auto input = OIIO::ImageInput::open(folder.file("t.exr", bytes).string());
+  if (!input || input->spec().nchannels != 3) return {};
+  std::vector<float> values(input->spec().image_pixels() * 3);
+  EXPECT_EQ(input->spec().format, OIIO::TypeFloat);
+  EXPECT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeFloat, values.data()));
+  return values;
+}
+
+TEST(BlenderPackage, baked_texture_is_a_float_image_of_the_axes) {
+  const Shot shot = baked(Space::kYiq, "final");
+  const Package package = blender_package(small_scene(), {&shot, 1}, "k");
+  EXPECT_THAT(names(package), ElementsAre("k.mesh.bin", "k.yiq.axes.exr", "k.py"));
+  const json entry = parameters(package)["shots"][0];
+  EXPECT_EQ(entry["texture_axes"], json({{"file", "k.yiq.axes.exr"}}));
+  EXPECT_FALSE(entry.contains("texture"));
+  const std::vector<float> values = exr_values(package[1].bytes);
+  const std::vector<Rgb>& texels = testing::small_texture().pixels;
+  ASSERT_EQ(values.size(), 3 * texels.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const Vec3d axes = texture_value(to_vec(texels[i]), shot.material);
+    EXPECT_EQ(values[3 * i], float(axes.x));
+    EXPECT_EQ(values[3 * i + 1], float(axes.y));
+    EXPECT_EQ(values[3 * i + 2], float(axes.z));
+  }
+  EXPECT_LT(*std::ranges::min_element(values), -0.1) << "chroma has a sign";
+}
+
+TEST(BlenderPackage, baked_color_keeps_its_sign) {
+  const Shot shot = baked(Space::kYiq, "final");
+  const Package package = blender_package(small_scene(Vec3d{0, 0, 1}), {&shot, 1}, "k");
+  EXPECT_THAT(names(package), ElementsAre("k.mesh.bin", "k.py"));
+  const json color = parameters(package)["shots"][0]["texture_axes"]["color"];
+  const Vec3d axes = texture_value({0, 0, 1}, shot.material);
+  EXPECT_EQ(color, json({axes.x, axes.y, axes.z}));
+  EXPECT_LT(color[1], 0) << "blue has a negative I";
+}
+
+TEST(BlenderPackage, each_space_has_one_baked_texture) {
+  const std::vector<Shot> list{baked(Space::kYiq, "a"), baked(Space::kYuv709, "b"),
+                               baked(Space::kYiq, "c"), shots()[0]};
+  const Package package = blender_package(small_scene(), list, "k");
+  EXPECT_THAT(names(package), ElementsAre("k.mesh.bin", "k.yiq.axes.exr", "k.yuv709.axes.exr",
+                                          "k.texture.png", "k.py"));
+  EXPECT_NE(package[1].bytes, package[2].bytes);
+  const json entries = parameters(package)["shots"];
+  EXPECT_EQ(entries[0]["texture_axes"], entries[2]["texture_axes"]);
+}
+
+TEST(BlenderPackage, textures_that_no_shot_reads_are_left_out) {
+  const std::vector<Shot> terms{shots()[1], shots()[2]};
+  EXPECT_THAT(names(blender_package(small_scene(), terms, "k")), ElementsAre("k.mesh.bin", "k.py"));
+}
+
+TEST(BlenderPackage, light_at_vertices_is_refused_with_the_nearest_thing) {
+  Shot shot = shots()[3];
+  shot.material.rate = Rate::kVertex;
+  for (const ShotShaders shaders : {ShotShaders::kNodes, ShotShaders::kOsl}) {
+    const std::string error = error_of([&] {
+      blender_package(small_scene(), {&shot, 1}, "k", shaders);
+    });
+    EXPECT_THAT(error, HasSubstr("material.rate is \"vertex\""));
+    EXPECT_THAT(error, HasSubstr("nearest is rate \"pixel\""));
+  }
+}
+
+TEST(BlenderPackage, in_osl_every_shot_has_its_shader_and_what_feeds_it) {
+  const Package package = blender_package(small_scene(), shots(), "k", ShotShaders::kOsl);
+  EXPECT_TRUE(is_python(package));
+  const json list = parameters(package)["shots"];
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(list[i]["osl"], "k." + shots()[i].name + ".osl");
+    const PackedFile* file = testing::find(package, list[i]["osl"].get<std::string>());
+    ASSERT_TRUE(file);
+    for (const auto& [ours, theirs] : list[i]["inputs"].items()) {
+      EXPECT_THAT(file->bytes, HasSubstr("vector " + theirs.get<std::string>() + " =")) << ours;
+    }
+    EXPECT_FALSE(list[i].contains("nodes"));
+  }
+  const auto inputs = [&](std::size_t i) {
+    std::vector<std::string> result;
+    for (const auto& entry : list[i]["inputs"].items()) result.push_back(entry.key());
+    return result;
+  };
+  EXPECT_THAT(inputs(0), UnorderedElementsAre("texture"));
+  EXPECT_THAT(inputs(3), UnorderedElementsAre("position", "normal", "texture"));
 }
 
 TEST(BlenderPackage, every_shot_has_its_nodes_arguments_before_their_users) {

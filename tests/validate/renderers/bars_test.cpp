@@ -97,7 +97,9 @@ Scene odd_scene() {
   }
   Scene scene{flat_mesh(knot_mesh(knot)), texture, {}};
   scene.view.camera = {{2.5, 1.5, -2.0}, {0.2, 0.1, 0}, {0.3, 1, 0.1}, 52};
-  scene.view.lights = {PointLight{.position = {-1, 2, 3}, .color = {}, .falloff = {}}};  // partly behind: highlights where n.l < 0
+  scene.view.lights = {PointLight{.position = {-1, 2, 3},
+                                  .color = {},
+                                  .falloff = {}}};  // partly behind: highlights where n.l < 0
   scene.view.ambient = 0.3;
   scene.view.image = {301, 200, 1};
   return scene;

@@ -134,6 +134,22 @@ TEST_P(EmittedShaders, draw_every_formula_gamut_rate_and_light_as_we_do) {
   }
 }
 
+TEST_P(EmittedShaders, draw_textures_baked_into_several_spaces) {
+  const Scene scene = lights_of_every_kind();
+  std::vector<Shot> shots{final_shot("yiq-baked-phong"), final_shot("yuv709-phong"),
+                          final_shot("rgb-phong")};
+  shots[1].material.form = Form::kBaked;
+  const Rendering rendering = draw(scene, shots);
+  const Grid<Fragment> fragments = visible_fragments(scene);
+  const Reference reference(scene, fragments);
+  const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
+                                 rendering.shots[i].image, false, limits);
+    EXPECT_LE(c.mean, 1e-4) << shots[i].name << ": float32 and snapped vertices";
+  }
+}
+
 TEST_P(EmittedShaders, draw_a_plain_colour_without_a_light) {
   Scene scene = lights_of_every_kind();
   scene.texture = Vec3d{0.2, 0.5, 0.7};
