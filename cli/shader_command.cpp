@@ -185,7 +185,8 @@ std::vector<Written> write_all(const ShaderFlags& flags, const ShaderJob& job,
 
 /// The instructions of the paper's Table 1, emitted the same way, beside another formula in YIQ.
 void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vector<Written>& all) {
-  if (job.shot.material.space != Space::kYiq) return;
+  const Material& m = job.shot.material;
+  if (m.space != Space::kYiq || m.rate != Rate::kPixel) return;
   ShaderJob table1;
   table1.name = "yiq-table1-phong";
   table1.shot = {"final", Stage::kFinal, *with_formula(table1.view.material, table1.name)};

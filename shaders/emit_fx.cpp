@@ -84,25 +84,10 @@ std::string texture_text(const Shader& shader) {
       comment_of(texture_name(shader)));
 }
 
-struct Link {
-  std::string type, name;
-};
-
-std::vector<Link> links(const Shader& shader) {
-  std::vector<Link> list;
-  if (shader.textured()) list.push_back({"float2", "uv"});
-  if (shader.fragment.normal) list.push_back({"float3", "normal"});
-  if (shader.fragment.position) list.push_back({"float3", "position"});
-  for (const Varying& varying : shader.recorded.varyings) {
-    list.push_back({std::string(type_of(varying.value->is_vector)), varying.name});
-  }
-  return list;
-}
-
 std::string structure(const Shader& shader) {
   std::string text = "struct Surface {\n  float4 clip_position : POSITION;\n";
   int index = 0;
-  for (const Link& link : links(shader)) {
+  for (const StageLink& link : stage_links(shader, kDialect)) {
     text += fmt::format("  {} {} : TEXCOORD{};\n", link.type, link.name, index++);
   }
   return text + "};\n\n";
@@ -127,8 +112,7 @@ std::string vertex_main(const Shader& shader) {
   for (const ShaderFunction& function : varying_functions(shader)) {
     const std::string call =
         call_text(function, kDialect, [](const auto& input) { return input.name; });
-    text += fmt::format("  surface.{} = {};\n", function.name.substr(0, function.name.rfind("_at")),
-                        call);
+    text += fmt::format("  surface.{} = {};\n", varying_of(function), call);
   }
   return text +
          "  surface.clip_position = mul(float4(vertex_position, 1.0), WorldViewProjection);\n"

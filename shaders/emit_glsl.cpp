@@ -59,40 +59,22 @@ std::string block(const Shader& shader) {
   return text + "};\n";
 }
 
-/// A value that goes from the vertex stage to the fragment stage.
-struct Link {
-  std::string type, name;
-};
-
-std::vector<Link> links(const Shader& shader) {
-  std::vector<Link> list;
-  if (shader.fragment.position) list.push_back({"vec3", "world_position"});
-  if (shader.fragment.normal) list.push_back({"vec3", "world_normal"});
-  if (shader.textured()) list.push_back({"vec2", "texture_uv"});
-  for (const Varying& varying : shader.recorded.varyings) {
-    list.push_back({std::string(type_of(varying.value->is_vector)), varying.name});
-  }
-  return list;
-}
-
 std::string declared(const Version& version, const Shader& shader, std::string_view direction) {
   std::string text;
   int location = 0;
-  for (const Link& link : links(shader)) {
+  for (const StageLink& link : stage_links(shader, kDialect)) {
     if (version.is_vulkan) text += fmt::format("layout(location = {}) ", location++);
-    text += fmt::format("{} {} {};\n", direction, link.type, link.name);
+    text += fmt::format("{} {} surface_{};\n", direction, link.type, link.name);
   }
   return text;
 }
 
 /// The expression in a stage's main() for an input of a function.
 std::string argument(const ShaderFunction::Input& input, const Shader& shader) {
-  if (input.name == "position") return "world_position";
-  if (input.name == "normal") return "world_normal";
   if (input.name.starts_with("texture")) {
-    return fmt::format("texture({}, texture_uv).rgb", texture_name(shader));
+    return fmt::format("texture({}, surface_uv).rgb", texture_name(shader));
   }
-  return input.name;
+  return fmt::format("surface_{}", input.name);
 }
 
 std::string call(const ShaderFunction& function, const Shader& shader) {
@@ -103,19 +85,19 @@ std::string vertex_main(const Shader& shader) {
   const bool linked_position = shader.fragment.position, linked_normal = shader.fragment.normal;
   std::string text = "void main() {\n";
   if (linked_position || shader.vertex.position) {
-    text += fmt::format("  {}world_position = (world * vec4(vertex_position, 1.0)).xyz;\n",
+    text += fmt::format("  {}surface_position = (world * vec4(vertex_position, 1.0)).xyz;\n",
                         linked_position ? "" : "vec3 ");
   }
   if (linked_normal || shader.vertex.normal) {
     text += fmt::format(
-        "  {}world_normal =\n      safe_normalize((world_inverse_transpose * vec4(vertex_normal, "
+        "  {}surface_normal =\n      safe_normalize((world_inverse_transpose * vec4(vertex_normal, "
         "0.0)).xyz);\n",
         linked_normal ? "" : "vec3 ");
   }
-  if (shader.textured()) text += "  texture_uv = vertex_uv;\n";
+  if (shader.textured()) text += "  surface_uv = vertex_uv;\n";
   for (const ShaderFunction& function : varying_functions(shader)) {
-    const std::string name = function.name.substr(0, function.name.rfind("_at"));
-    text += fmt::format("  {} = {};\n", name, call(function, shader));
+    const std::string name = varying_of(function);
+    text += fmt::format("  surface_{} = {};\n", name, call(function, shader));
   }
   return text + "  gl_Position = world_view_projection * vec4(vertex_position, 1.0);\n}\n";
 }

@@ -22,22 +22,6 @@ std::string constant_buffer(const Shader& shader) {
   return text + "};\n\n";
 }
 
-/// A member of the structure between the stages.
-struct Link {
-  std::string type, name;
-};
-
-std::vector<Link> links(const Shader& shader) {
-  std::vector<Link> list;
-  if (shader.fragment.position) list.push_back({"float3", "position"});
-  if (shader.fragment.normal) list.push_back({"float3", "normal"});
-  if (shader.textured()) list.push_back({"float2", "uv"});
-  for (const Varying& varying : shader.recorded.varyings) {
-    list.push_back({std::string(type_of(varying.value->is_vector)), varying.name});
-  }
-  return list;
-}
-
 std::string structures(const Shader& shader) {
   std::string text =
       "struct Vertex {\n"
@@ -48,7 +32,7 @@ std::string structures(const Shader& shader) {
       "struct Surface {\n"
       "  float4 clip_position : SV_Position;\n";
   int index = 0;
-  for (const Link& link : links(shader)) {
+  for (const StageLink& link : stage_links(shader, kDialect)) {
     text += fmt::format("  {} {} : TEXCOORD{};\n", link.type, link.name, index++);
   }
   return text + "};\n\n";
@@ -82,8 +66,7 @@ std::string vertex_main(const Shader& shader) {
   for (const ShaderFunction& function : varying_functions(shader)) {
     const std::string call = call_text(
         function, kDialect, [&](const auto& input) { return argument(input, shader, ""); });
-    text += fmt::format("  surface.{} = {};\n", function.name.substr(0, function.name.rfind("_at")),
-                        call);
+    text += fmt::format("  surface.{} = {};\n", varying_of(function), call);
   }
   return text +
          "  surface.clip_position = mul(world_view_projection, float4(vertex.position, 1.0));\n"

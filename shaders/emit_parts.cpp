@@ -43,6 +43,23 @@ std::string kernel_call(const Shader& shader, const Dialect& dialect) {
   });
 }
 
+std::vector<StageLink> stage_links(const Shader& shader, const Dialect& dialect) {
+  const std::string vec3(dialect.vector_type), scalar(dialect.scalar_type);
+  const std::string vec2 = vec3.substr(0, vec3.size() - 1) + "2";
+  std::vector<StageLink> links;
+  if (shader.fragment.position) links.push_back({vec3, "position"});
+  if (shader.fragment.normal) links.push_back({vec3, "normal"});
+  if (shader.textured()) links.push_back({vec2, "uv"});
+  for (const Varying& varying : shader.recorded.varyings) {
+    links.push_back({varying.value->is_vector ? vec3 : scalar, varying.name});
+  }
+  return links;
+}
+
+std::string varying_of(const ShaderFunction& function) {
+  return function.name.substr(0, function.name.rfind("_at"));
+}
+
 std::string_view texture_name(const Shader& shader) {
   return shader.baked ? "axes_texture" : "color_texture";
 }

@@ -23,6 +23,16 @@ std::string with_helpers(const std::string& code, const Dialect& dialect);
 /// kernel_normal and kernel_texture.
 std::string kernel_call(const Shader& shader, const Dialect& dialect);
 
+/// A value that the fragment stage gets interpolated: position, normal, uv, or a varying.
+struct StageLink {
+  std::string type;  ///< as the dialect spells it
+  std::string name;
+};
+std::vector<StageLink> stage_links(const Shader& shader, const Dialect& dialect);
+
+/// The functions of the varyings by the names of what they compute.
+std::string varying_of(const ShaderFunction& function);
+
 /// "color_texture" or, baked, "axes_texture".
 std::string_view texture_name(const Shader& shader);
 
