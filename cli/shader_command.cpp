@@ -146,7 +146,8 @@ nlohmann::ordered_json written_json(const Written& written) {
 
 std::string written_line(const Written& written) {
   std::string line = fmt::format("{:<12}", info_of(written.language).name);
-  for (const std::string& file : written.files) line += " " + (written.folder / file).string();
+  for (const std::string& file : written.files)
+    line += fmt::format(" {}", (written.folder / file).string());
   if (written.instructions)
     line += fmt::format("  ({} SPIR-V instructions)", *written.instructions);
   return line;

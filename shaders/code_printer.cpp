@@ -46,7 +46,7 @@ class Printer {
     for (const Node* node : order) {
       for (const NodePtr& argument : node->arguments) {
         ++uses_[argument.get()];
-        if (needs_variable(*node)) ++uses_[argument.get()];
+        if (needs_variable(*node) || repeats(*node)) ++uses_[argument.get()];
       }
       if (is_leaf(*node)) taken_.insert(text_of(*node).text);
     }
@@ -71,6 +71,11 @@ class Printer {
                                  fmt::arg("name", name), fmt::arg("value", text.text)),
                      indent_);
     texts_[&node] = {name};
+  }
+
+  /// Whether the language writes the node's argument more than once: HLSL's float3(x, x, x).
+  bool repeats(const Node& node) const {
+    return node.op == Op::kGrey && dialect_.grey_of.find("{0}") != dialect_.grey_of.rfind("{0}");
   }
 
   std::string unique(std::string_view name) {
@@ -170,7 +175,7 @@ class Printer {
 
   /// Languages agree on pow(x, y) for x > 0 alone.
   std::string_view power_of(const Node& node) const {
-    return least_of(*node.arguments[0]) > 0 ? "pow" : dialect_.power;
+    return node.arguments[0]->least > 0 ? "pow" : dialect_.power;
   }
 
   const Dialect& dialect_;

@@ -58,19 +58,16 @@ Json entry_json(std::string_view name, std::string_view type, const Dialect& dia
 }
 
 Json parameter_json(const ShaderParameter& p, const Dialect& dialect) {
-  const ParameterInfo& info = parameter_info(p.name);
   Json json = entry_json(p.name, p.is_vector ? "vec3" : "float", dialect);
   json["identifier"] = parameter_identifier(p.name, dialect);
   json["default"] = p.is_vector ? Json(components(p.value)) : Json(p.value.x);
-  json["range"] = {info.least, info.most};
+  const ParameterRange range = range_of(p);
+  json["range"] = {range.least, range.most};
   return json;
 }
 
 /// What a program must set besides the parameters: matrices, the texture, the vertices.
 void add_interface(Json& json, const Shader& shader, Language language, const Dialect& dialect) {
-  if (shader.textured()) {
-    json["textures"].push_back(entry_json(texture_name(shader), "sampler2D", dialect));
-  }
   if (!info_of(language).has_vertex_stage) {
     for (const ShaderFunction::Input& input : color_function(shader).inputs) {
       json["inputs"].push_back({{"name", input.name},
@@ -78,6 +75,9 @@ void add_interface(Json& json, const Shader& shader, Language language, const Di
                                 {"type", "vec3"}});
     }
     return;
+  }
+  if (shader.textured()) {
+    json["textures"].push_back(entry_json(texture_name(shader), "sampler2D", dialect));
   }
   for (const char* matrix : {"world", "world_inverse_transpose", "world_view_projection"}) {
     json["matrices"].push_back(entry_json(matrix, "mat4", dialect));
@@ -109,7 +109,8 @@ std::string parameters_json(const Shader& shader, Language language,
 
 std::optional<std::string> emission_shortfall(const ShaderJob& job, Language language) {
   if (const auto why = language_shortfall(language, job.shot.material)) return why;
-  return language == Language::kFx ? fx_shortfall(make_shader(job)) : std::nullopt;
+  if (language == Language::kFx) return fx_shortfall(make_shader(job));
+  return language == Language::kPov ? pov_shortfall(make_shader(job)) : std::nullopt;
 }
 
 Emission emit(const ShaderJob& job, Language language) {

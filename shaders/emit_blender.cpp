@@ -12,12 +12,12 @@ std::vector<EmittedFile> emit_blender(const Shader& shader) {
     inputs.push_back({{"name", input.name}, {"type", "vector"}});
   }
   for (const ShaderParameter& p : shader.fragment.parameters) {
-    const ParameterInfo& info = parameter_info(p.name);
+    const ParameterRange range = range_of(p);
     Json entry{{"name", p.name}, {"type", p.is_vector ? "vector" : "float"}};
     entry["default"] = p.is_vector ? Json(components(p.value)) : Json(p.value.x);
-    entry["min"] = info.least;
-    entry["max"] = info.most;
-    entry["meaning"] = info.meaning;
+    entry["min"] = range.least;
+    entry["max"] = range.most;
+    entry["meaning"] = parameter_info(p.name).meaning;
     inputs.push_back(std::move(entry));
   }
   Json recipe{{"name", shader.name}, {"inputs", inputs}};

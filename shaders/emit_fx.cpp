@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "shaders/emit_parts.h"
 
 namespace lumaknot {
@@ -32,7 +30,7 @@ std::string object_annotations(const ShaderParameter& p) {
 }
 
 std::string slider_annotations(const ShaderParameter& p, const ParameterInfo& info) {
-  const double most = std::max(info.most, p.value.x), least = std::min(info.least, p.value.x);
+  const auto [least, most] = range_of(p);
   return fmt::format(
       "  string UIName = \"{}\";\n"
       "  string UIWidget = \"slider\";\n"

@@ -9,8 +9,9 @@ std::string metadata(const ShaderParameter& p) {
   const ParameterInfo& info = parameter_info(p.name);
   std::string text = fmt::format("[[ string help = \"{} ({})\"", info.meaning, info.unit);
   if (!p.is_vector) {
-    text += fmt::format(", float min = {}, float max = {}", number_text(info.least),
-                        number_text(info.most));
+    const ParameterRange range = range_of(p);
+    text += fmt::format(", float min = {}, float max = {}", number_text(range.least),
+                        number_text(range.most));
   }
   return text + " ]]";
 }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/presets.h"
+#include <algorithm>
 
 namespace lumaknot {
 
@@ -16,6 +16,13 @@ std::string literal(const ShaderParameter& parameter, const Dialect& dialect) {
   if (!parameter.is_vector) return number_text(v.x);
   return fmt::format(fmt::runtime(dialect.vector_of), number_text(v.x), number_text(v.y),
                      number_text(v.z));
+}
+
+ParameterRange range_of(const ShaderParameter& parameter) {
+  const ParameterInfo& info = parameter_info(parameter.name);
+  const auto [x, y, z] = components(parameter.value);
+  if (!parameter.is_vector) return {std::min(info.least, x), std::max(info.most, x)};
+  return {std::min({info.least, x, y, z}), std::max({info.most, x, y, z})};
 }
 
 std::string vertex_functions(const Shader& shader, const Dialect& dialect) {
@@ -45,7 +52,7 @@ std::string kernel_call(const Shader& shader, const Dialect& dialect) {
 
 std::vector<StageLink> stage_links(const Shader& shader, const Dialect& dialect) {
   const std::string vec3(dialect.vector_type), scalar(dialect.scalar_type);
-  const std::string vec2 = vec3.substr(0, vec3.size() - 1) + "2";
+  const std::string vec2 = fmt::format("{}2", vec3.substr(0, vec3.size() - 1));
   std::vector<StageLink> links;
   if (shader.fragment.position) links.push_back({vec3, "position"});
   if (shader.fragment.normal) links.push_back({vec3, "normal"});
@@ -64,6 +71,8 @@ std::string_view texture_name(const Shader& shader) {
   return shader.baked ? "axes_texture" : "color_texture";
 }
 
-std::string about_of(const Shader& shader) { return shader.name + ", made by lumaknot"; }
+std::string about_of(const Shader& shader) {
+  return fmt::format("{}, made by lumaknot", shader.name);
+}
 
 }  // namespace lumaknot

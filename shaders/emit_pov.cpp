@@ -96,8 +96,9 @@ std::string scene_value_name(const Shader& shader, const ShaderParameter& parame
 
 Argument parameter_argument(const Shader& shader, const ShaderParameter& parameter) {
   const ParameterInfo& info = parameter_info(parameter.name);
+  const auto [least, most] = range_of(parameter);
   return {parameter_identifier(parameter.name, kPovDialect),
-          fmt::format("{} ({}), {} to {}", info.meaning, info.unit, info.least, info.most),
+          fmt::format("{} ({}), {} to {}", info.meaning, info.unit, least, most),
           scene_value_name(shader, parameter)};
 }
 
@@ -108,12 +109,6 @@ std::vector<Argument> arguments_of(const Shader& shader) {
   }
   for (const ShaderParameter& parameter : shader.fragment.parameters) {
     arguments.push_back(parameter_argument(shader, parameter));
-  }
-  if (arguments.size() > kMostPovParameters) {
-    throw Error(
-        fmt::format("{} needs {} parameters, and a macro of POV-Ray has at most {}; nearest: "
-                    "fewer lights",
-                    shader.name, arguments.size(), kMostPovParameters));
   }
   return arguments;
 }
@@ -182,8 +177,17 @@ std::string macro_text(const Shader& shader, const std::string& macro,
 
 constinit const Dialect kPovDialect = pov();
 
+std::optional<std::string> pov_shortfall(const Shader& shader) {
+  const std::size_t count = arguments_of(shader).size();
+  if (count <= kMostPovParameters) return std::nullopt;
+  return fmt::format(
+      "{} needs {} parameters, and a macro of POV-Ray has at most {}; nearest: fewer lights",
+      shader.name, count, kMostPovParameters);
+}
+
 std::string emit_pov(const Shader& shader) {
   assert(shader.recorded.varyings.empty());  // a macro knows no vertices
+  if (const auto why = pov_shortfall(shader)) throw Error(*why);
   const std::string macro = identifier_of(shader.function, kPovDialect);
   const std::vector<Argument> arguments = arguments_of(shader);
   const std::string body = macro_text(shader, macro, arguments);

@@ -5,6 +5,7 @@
 /// compare with what POV-Ray's own lighting draws.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "shaders/code_printer.h"
@@ -16,6 +17,9 @@ extern const Dialect kPovDialect;
 
 /// A macro of POV-Ray 3.7 has no more parameters than these.
 inline constexpr std::size_t kMostPovParameters = 55;
+
+/// Says so when the macro of `shader` would have more.
+std::optional<std::string> pov_shortfall(const Shader& shader);
 
 /// An include file with one macro that computes the colour of `shader`, whose light is computed a
 /// pixel. Its parameters are the surface's values, then the shader's. Throws Error when they are

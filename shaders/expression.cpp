@@ -7,12 +7,55 @@
 namespace lumaknot {
 namespace {
 
+/// The least value that the operation can give, as far as its arguments tell.
+double least_of(const Node& node) {
+  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+  const auto least = [&](std::size_t i) { return node.arguments[i]->least; };
+  if (node.is_vector) return kUnknown;
+  switch (node.op) {
+    case Op::kAdd:
+      return least(0) + least(1);
+    case Op::kMultiply:
+      if (node.arguments[0] == node.arguments[1]) return 0;
+      return least(0) >= 0 && least(1) >= 0 ? least(0) * least(1) : kUnknown;
+    case Op::kDivide:
+      return least(0) >= 0 && least(1) >= 0 ? 0 : kUnknown;
+    case Op::kMaximum:
+      return std::max(least(0), least(1));
+    case Op::kMinimum:
+      return std::min(least(0), least(1));
+    case Op::kSelectLess:
+      return std::min(least(2), least(3));
+    case Op::kDot:
+      return node.arguments[0] == node.arguments[1] ? 0 : kUnknown;
+    case Op::kSaturate:
+    case Op::kPower:
+    case Op::kExp:
+    case Op::kSqrt:
+    case Op::kAbs:
+      return 0;
+    default:
+      return kUnknown;
+  }
+}
+
 NodePtr make_node(Op op, bool is_vector, std::vector<NodePtr> arguments) {
-  return std::make_shared<Node>(Node{op, is_vector, std::move(arguments), {}, {}});
+  Node node;
+  node.op = op;
+  node.is_vector = is_vector;
+  node.arguments = std::move(arguments);
+  node.least = least_of(node);
+  return std::make_shared<Node>(std::move(node));
 }
 
 NodePtr make_leaf(Op op, bool is_vector, const Vec3d& value, std::string name) {
-  return std::make_shared<Node>(Node{op, is_vector, {}, value, std::move(name)});
+  Node node;
+  node.op = op;
+  node.is_vector = is_vector;
+  node.value = value;
+  if (op == Op::kConstant && !is_vector) node.least = value.x;
+  node.name = std::move(name);
+  return std::make_shared<Node>(std::move(node));
 }
 
 Scalar scalar(Op op, std::vector<NodePtr> arguments) {
@@ -148,7 +191,7 @@ ScalarVec operator*(const ScalarVec& v, const Scalar& s) {
 
 Scalar max(const Scalar& a, const Scalar& b) {
   if (both_constant(a.node, b.node)) return std::max(value_of(a), value_of(b));
-  if (is_constant(b.node) && least_of(*a.node) >= value_of(b)) return a;
+  if (is_constant(b.node) && a.node->least >= value_of(b)) return a;
   return scalar(Op::kMaximum, {a.node, b.node});
 }
 
@@ -163,19 +206,19 @@ Scalar abs(const Scalar& x) {
 }
 
 Scalar sqrt(const Scalar& x) {
-  refuse_unless(least_of(*x.node) >= 0, "the root of a number that may be negative");
+  refuse_unless(x.node->least >= 0, "the root of a number that may be negative");
   return scalar(Op::kSqrt, {x.node});
 }
 
 Scalar exp(const Scalar& x) { return scalar(Op::kExp, {x.node}); }
 
 Scalar log(const Scalar& x) {
-  refuse_unless(least_of(*x.node) > 0, "the logarithm of a number that may be zero");
+  refuse_unless(x.node->least > 0, "the logarithm of a number that may be zero");
   return scalar(Op::kLog, {x.node});
 }
 
 Scalar power(const Scalar& base, const Scalar& exponent) {
-  refuse_unless(least_of(*base.node) >= 0, "the power of a number that may be negative");
+  refuse_unless(base.node->least >= 0, "the power of a number that may be negative");
   if (is_constant(exponent, 1)) return base;
   if (is_constant(exponent, 0)) return 1;  // of 0 too
   return scalar(Op::kPower, {base.node, exponent.node});
@@ -239,39 +282,6 @@ Scalar named(const char* name, const Scalar& x) { return Scalar(renamed(name, x.
 ScalarVec named(const char* name, const ScalarVec& v) {
   if (is_grey(v)) return grey(named(name, grey_of(v)));
   return {renamed(name, v.node)};
-}
-
-double least_of(const Node& node) {
-  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
-  const auto least = [&](std::size_t i) { return least_of(*node.arguments[i]); };
-  if (node.is_vector) return kUnknown;
-  switch (node.op) {
-    case Op::kConstant:
-      return node.value.x;
-    case Op::kAdd:
-      return least(0) + least(1);
-    case Op::kMultiply:
-      if (node.arguments[0] == node.arguments[1]) return 0;
-      return least(0) >= 0 && least(1) >= 0 ? least(0) * least(1) : kUnknown;
-    case Op::kDivide:
-      return least(0) >= 0 && least(1) >= 0 ? 0 : kUnknown;
-    case Op::kMaximum:
-      return std::max(least(0), least(1));
-    case Op::kMinimum:
-      return std::min(least(0), least(1));
-    case Op::kSelectLess:
-      return std::min(least(2), least(3));
-    case Op::kDot:
-      return node.arguments[0] == node.arguments[1] ? 0 : kUnknown;
-    case Op::kSaturate:
-    case Op::kPower:
-    case Op::kExp:
-    case Op::kSqrt:
-    case Op::kAbs:
-      return 0;
-    default:
-      return kUnknown;
-  }
 }
 
 std::vector<const Node*> in_order(const std::vector<NodePtr>& roots) {

@@ -3,11 +3,12 @@
 ///
 /// What a language may answer differently is refused while recording, with std::logic_error: the
 /// power or root of a number that may be negative, the logarithm of one that may be zero.
-/// Arithmetic on constants, and with 0 and 1, is done at once, so what a scene does not need leaves
-/// no trace; powers, roots and logarithms are never computed here.
+/// Arithmetic on constant numbers, and with 0 and 1, is done at once, so what a scene does not need
+/// leaves no trace; powers, roots and logarithms are never computed here.
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ struct Node {
   bool is_vector = false;
   std::vector<std::shared_ptr<const Node>> arguments;
   Vec3d value;  ///< of a parameter or constant; a scalar in x
+  double least = -std::numeric_limits<double>::infinity();  ///< it is never below, as far as known
   std::string
       name;  ///< of an input or parameter, or what the formula calls the value; may be empty
 };
@@ -113,9 +115,6 @@ Scalar y_of(const ScalarVec& v);
 Scalar z_of(const ScalarVec& v);
 Scalar named(const char* name, const Scalar& x);
 ScalarVec named(const char* name, const ScalarVec& v);
-
-/// The least value that `node` can take, as far as its operations tell; -infinity when they do not.
-double least_of(const Node& node);
 
 /// The nodes that `roots` need, arguments before their users, each once. They live as long as
 /// `roots`.

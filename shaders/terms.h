@@ -97,7 +97,10 @@ S cook_torrance_highlight(const Directions<S>& d, const S& roughness, const S& r
   const Vec<S> half = named("half_way", unit(d.l + d.v));
   const S n_dot_h = named("n_dot_h", max(dot(d.n, half), S(0)));
   const Vec<S> n_cross_h = named("n_cross_h", cross(d.n, half));
-  const S spread = named("spread", alpha2 * n_dot_h * n_dot_h + dot(n_cross_h, n_cross_h));
+  // Of unit vectors it is at least this; without a normal or with l = -v there is no half way.
+  const S least = min(alpha2, S(1));
+  const S spread =
+      named("spread", max(alpha2 * n_dot_h * n_dot_h + dot(n_cross_h, n_cross_h), least));
   const S lit = named("lit", max(d.n_dot_l, S(0)));
   const S seen = named("seen", max(dot(d.n, d.v), S(1e-3)));
   const S shadowed = lit * sqrt(max(seen * seen * (S(1) - alpha2) + alpha2, S(0)));

@@ -12,7 +12,7 @@ constexpr int kWidth = 36, kHeight = 24;
 Scene plane_scene() {
   Scene scene{testing::square(50), Vec3d{0.6, 0.4, 0.2}, {}};
   scene.view.camera = {.position = {0.5, -2, 3}, .target = {0, 0, 0}, .fov_degrees = 40};
-  scene.view.light.position = {-1, 1.5, 2};
+  scene.view.lights = {PointLight{{-1, 1.5, 2}, {}, {}}};
   scene.view.ambient = 0.125;
   scene.view.material.shininess = 7;
   scene.view.material.diffuse = 0.75;
@@ -20,6 +20,8 @@ Scene plane_scene() {
   scene.view.image = {kWidth, kHeight, 1};
   return scene;
 }
+
+Vec3d lamp(const Scene& scene) { return std::get<PointLight>(scene.view.lights.at(0)).position; }
 
 Vec3d sample_ray(const Scene& scene, int x, int y) {
   return testing::world_ray(scene.view.camera, kWidth, kHeight, x + 0.5, y + 0.5);
@@ -30,7 +32,7 @@ struct PlaneTerms {
   double diffuse, specular;
 };
 PlaneTerms plane_terms(const Scene& scene, const Vec3d& ground) {
-  const Vec3d light = normalize(scene.view.light.position - ground);
+  const Vec3d light = normalize(lamp(scene) - ground);
   const Vec3d eye = normalize(scene.view.camera.position - ground);
   const double cosine = std::max(0.0, eye.z * light.z - eye.x * light.x - eye.y * light.y);
   return {light.z, std::pow(cosine, scene.view.material.shininess)};
@@ -79,7 +81,7 @@ TEST(Render, plane_under_a_point_light_in_yiq_moves_every_channel_by_the_same_am
 
 TEST(Render, plane_lit_from_below_has_ambient_light_only) {
   Scene scene = plane_scene();
-  scene.view.light.position = {0, 0, -2};
+  scene.view.lights = {PointLight{{0, 0, -2}, {}, {}}};
   scene.view.material.specular = 0;
   for_each_ground_point(scene, [&](const Vec3d& color, const Vec3d&) {
     EXPECT_NEAR(color.x, 0.6 * 0.125, kFloat);
@@ -110,7 +112,7 @@ struct SphereErrors {
 SphereErrors sphere_errors(int rings) {
   Scene scene{testing::sphere(rings), Vec3d{1, 1, 1}, {}};
   scene.view.image = {80, 80, 1};
-  const Vec3d eye = scene.view.camera.position, light = scene.view.light.position;
+  const Vec3d eye = scene.view.camera.position, light = lamp(scene);
   const Grid<Fragment> seen = visible_fragments(scene);
   const Shot shot{"diffuse", Stage::kDiffuse, {}};
   SphereErrors errors;

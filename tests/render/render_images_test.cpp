@@ -51,9 +51,9 @@ TEST(Render, texture_stage_of_a_plain_color_is_that_color) {
 }
 
 TEST(Render, equals_the_final_shot_over_the_visible_fragments) {
-  for (const NamedMaterial& named : named_materials()) {
+  for (const NamedMaterial& named : paper_materials()) {
     Scene scene = knot_scene(40, 30);
-    scene.view.material = named.material;
+    scene.view.material = *with_formula(Material{}, named.name);
     EXPECT_TRUE(
         same_bytes(render(scene), shade_all(scene, final_shot(scene), visible_fragments(scene))))
         << named.name;
@@ -124,9 +124,9 @@ TEST(Render, draws_images_of_one_pixel_and_of_one_column) {
 }
 
 TEST(Compose, our_own_stages_give_the_final_image_for_every_material) {
-  for (const NamedMaterial& named : named_materials()) {
+  for (const NamedMaterial& named : paper_materials()) {
     Scene scene = knot_scene(64, 48);
-    scene.view.material = named.material;
+    scene.view.material = *with_formula(Material{}, named.name);
     scene.view.material.normal = NormalUse::kUnit;
     const Grid<Fragment> fragments = visible_fragments(scene);
     const auto stage = [&](Stage s) {
@@ -148,7 +148,7 @@ TEST(Compose, our_own_stages_give_the_final_image_for_every_material) {
 TEST(Compose, leaves_the_background_black_whatever_the_offset) {
   Scene scene = knot_scene(2, 1);
   Shot shot = final_shot(scene);
-  shot.material = named_materials()[1].material;  // with a luma offset
+  shot.material = *with_formula(Material{}, "yiq-table1");  // with a luma offset
   const Image nothing(2, 1);
   for (const RgbaPixel& p : compose(scene, shot, nothing, nothing, nothing).pixels) {
     EXPECT_EQ(p.color, Rgb{});

@@ -42,7 +42,8 @@ TEST(Presets, figure_1_lights_the_knot_from_the_front_and_from_the_back) {
   const auto facing = [](std::string_view name) {
     const View view = builtin_scene(name)->view;
     const Vec3d to_eye = normalize(view.camera.position - view.camera.target);
-    return dot(normalize(view.light.position - view.camera.target), to_eye);
+    const Vec3d light = std::get<PointLight>(view.lights.at(0)).position;
+    return dot(normalize(light - view.camera.target), to_eye);
   };
   EXPECT_GT(facing("figure1-front"), 0.5);  // within 60 degrees of the eye
   EXPECT_LT(facing("figure1-back"), -0.5);
@@ -60,7 +61,7 @@ TEST(Presets, figure_1_s_views_share_mesh_and_camera) {
   for (const char* name : {"figure1-back", "figure1-specular"}) {
     SceneSpec scene = *builtin_scene(name);
     const SceneSpec reference = *builtin_scene("figure1-front");
-    scene.view.light = reference.view.light;
+    scene.view.lights = reference.view.lights;
     scene.view.ambient = reference.view.ambient;
     scene.view.material = reference.view.material;
     EXPECT_EQ(scene_to_json(scene), front) << name;
@@ -90,38 +91,6 @@ TEST(Presets, yiq_table1_is_the_listing) {
   EXPECT_EQ(m.clamp, Clamp::kTable1);
   EXPECT_EQ(m.normal, NormalUse::kInterpolated);
   EXPECT_EQ(m.shininess, 55);
-}
-
-TEST(Presets, a_formula_keeps_the_surface_s_own_numbers) {
-  Material base;
-  base.shininess = 7;
-  base.diffuse = 0.25;
-  base.specular = 0.75;
-  for (const NamedMaterial& named : named_materials()) {
-    const Material m = *with_formula(base, named.name);
-    EXPECT_EQ(m.shininess, 7) << named.name;
-    EXPECT_EQ(m.diffuse, 0.25) << named.name;
-    EXPECT_EQ(m.specular, 0.75) << named.name;
-  }
-}
-
-TEST(Presets, a_formula_s_name_is_found_again) {
-  Material base;
-  base.shininess = 3;
-  for (const NamedMaterial& named : named_materials()) {
-    EXPECT_EQ(formula_name(*with_formula(base, named.name)), named.name);
-  }
-}
-
-TEST(Presets, any_other_formula_is_custom) {
-  for (const NamedMaterial& named : named_materials()) {
-    Material m = named.material;
-    m.clamp = m.clamp == Clamp::kFree ? Clamp::kTable1 : Clamp::kFree;
-    EXPECT_EQ(formula_name(m), "custom") << named.name;
-    m = named.material;
-    m.luma_offset += 0.5;
-    EXPECT_EQ(formula_name(m), "custom") << named.name;
-  }
 }
 
 }  // namespace

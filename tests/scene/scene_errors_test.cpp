@@ -42,7 +42,7 @@ TEST(SceneErrors, an_unknown_key_is_named_with_its_path_and_the_known_ones) {
       {R"({"mesh": {"knot": {"radius": 1}}})", "mesh.knot.radius", "", "ring"},
       {R"({"texture": {"colour": [0, 0, 0]}})", "texture.colour", "", "color"},
       {R"({"camera": {"fov": 40}})", "camera.fov", "", "fov_degrees"},
-      {R"({"light": {"color": [1, 1, 1]}})", "light.color", "", "position"},
+      {R"({"lights": [{"point": {"colour": 1}}]})", "lights[0].point.colour", "", "color"},
       {R"({"material": {"colour": 1}})", "material.colour", "", "shininess"},
       {R"({"image": {"depth": 8}})", "image.depth", "", "width"},
       {R"({"": 1})", "", "", "mesh"},
@@ -65,10 +65,10 @@ TEST(SceneErrors, a_value_of_the_wrong_type_is_quoted) {
       {R"({"texture": {"color": [0, 1, 1, 1]}})", "texture.color", "[0,1,1,1]", "three numbers"},
       {R"({"camera": "here"})", "camera", "here", "object"},
       {R"({"camera": {"position": [0, "1", 2]}})", "camera.position", "\"1\"", "three numbers"},
-      {R"({"light": {"position": {}}})", "light.position", "{}", "three numbers"},
+      {R"({"lights": {"point": {}}})", "lights", "{\"point\":{}}", "a list"},
+      {R"({"lights": [3]})", "lights[0]", "3", "object"},
       {R"({"ambient": "0.1"})", "ambient", "\"0.1\"", "number"},
       {R"({"ambient": true})", "ambient", "true", "number"},
-      {R"({"material": {"model": 1}})", "material.model", "1", "phong"},
       {R"({"material": {"space": "YIQ"}})", "material.space", "YIQ", "\"rgb\", \"yiq\""},
       {R"({"material": {"clamp": null}})", "material.clamp", "null", "table1"},
       {R"({"material": {"normal": "flat"}})", "material.normal", "flat", "interpolated"},
@@ -149,6 +149,63 @@ TEST(SceneErrors, a_luma_offset_needs_a_luma_space) {
   expect_refused(
       {{R"({"material": {"luma_offset": -0.1}})", "material.luma_offset", "-0.1", "yiq"}});
   EXPECT_EQ(refusal(R"({"material": {"luma_offset": -0.1, "space": "yiq"}})"), "");
+}
+
+TEST(SceneErrors, an_unknown_choice_lists_the_valid_ones) {
+  expect_refused({
+      {R"({"material": {"model": "gouraud"}})", "material.model", "gouraud",
+       R"(one of "phong", "blinn-phong", "minnaert", "oren-nayar", "cook-torrance")"},
+      {R"({"material": {"model": 1}})", "material.model", "got 1", "phong"},
+      {R"({"material": {"space": "hsv"}})", "material.space", "hsv",
+       R"("rgb", "yiq", "yuv601", "yuv709", "cielab", "cieluv", "din99", "atd95")"},
+      {R"({"material": {"form": "folded"}})", "material.form", "folded",
+       R"("matrices", "collapsed", "baked")"},
+      {R"({"material": {"gamut": "hue"}})", "material.gamut", "hue",
+       R"("free", "clamp", "chroma")"},
+      {R"({"material": {"highlights": true}})", "material.highlights", "true",
+       R"("free", "gated")"},
+      {R"({"material": {"rate": "texel"}})", "material.rate", "texel", R"("pixel", "vertex")"},
+  });
+}
+
+/// A material with two fields set.
+std::string material(const std::string& first, const std::string& second) {
+  return R"({"material": {)" + first + ", " + second + "}}";
+}
+
+TEST(SceneErrors, a_form_without_matrices_needs_a_linear_space) {
+  for (const std::string form : {"collapsed", "baked"}) {
+    const std::string with_form = R"("form": ")" + form + '"';
+    for (const std::string space : {"rgb", "cielab", "cieluv", "din99", "atd95"}) {
+      expect_refused({{material(with_form, R"("space": ")" + space + '"'), "material.form", form,
+                       "yiq, yuv601, yuv709"},
+                      {material(with_form, R"("space": ")" + space + '"'), "", space, "matrices"}});
+    }
+    for (const std::string space : {"yiq", "yuv601", "yuv709"}) {
+      EXPECT_EQ(refusal(material(with_form, R"("space": ")" + space + '"')), "");
+    }
+  }
+}
+
+TEST(SceneErrors, cook_torrance_can_not_be_a_mirror) {
+  const std::string cook_torrance = R"("model": "cook-torrance")";
+  expect_refused({{material(cook_torrance, R"("roughness": 0.039)"), "material.roughness",
+                   "got 0.039", ">= 0.04"}});
+  EXPECT_EQ(refusal(material(cook_torrance, R"("roughness": 0.04)")), "");
+  EXPECT_EQ(refusal(material(R"("model": "oren-nayar")", R"("roughness": 0)")), "");
+}
+
+TEST(SceneErrors, a_material_s_numbers_out_of_range_are_quoted) {
+  expect_refused({
+      {R"({"material": {"roughness": 1.58}})", "material.roughness", "got 1.58", "<= 1.57"},
+      {R"({"material": {"reflectance": 1.5}})", "material.reflectance", "got 1.5", "<= 1"},
+      {R"({"material": {"darkness": -1}})", "material.darkness", "got -1", ">= 0"},
+      {R"({"material": {"darkness": 11}})", "material.darkness", "got 11", "<= 10"},
+      {R"({"material": {"diffuse_color": [0, 0, 2]}})", "material.diffuse_color[2]", "got 2",
+       "<= 1"},
+      {R"({"material": {"emissive": [-1, 0, 0]}})", "material.emissive[0]", "got -1", ">= 0"},
+      {R"({"ambient_color": [0, 1.5, 0]})", "ambient_color[1]", "got 1.5", "<= 1"},
+  });
 }
 
 TEST(SceneErrors, counts_are_multiplied_in_64_bits) {

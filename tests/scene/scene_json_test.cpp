@@ -13,16 +13,40 @@ using Json = nlohmann::json;
 
 SceneSpec read(std::string_view text) { return scene_from_json(text, "scene.json"); }
 
+Material unusual_material() {
+  Material m;
+  m.model = Model::kOrenNayar;
+  m.space = Space::kYuv709;
+  m.form = Form::kCollapsed;
+  m.shininess = 13.5;
+  m.roughness = 0.45;
+  m.reflectance = 0.035;
+  m.darkness = 1.25;
+  m.diffuse = 0.9;
+  m.specular = 0.7;
+  m.ambient_color = {0.11, 0.12, 0.13};
+  m.diffuse_color = {0.21, 0.22, 0.23};
+  m.specular_color = {0.31, 0.32, 0.33};
+  m.emissive = {0.41, 0.42, 0.43};
+  m.luma_offset = -0.05;
+  m.clamp = Clamp::kTable1;
+  m.gamut = Gamut::kChroma;
+  m.normal = NormalUse::kInterpolated;
+  m.highlights = Highlights::kGated;
+  m.rate = Rate::kVertex;
+  return m;
+}
+
 /// A scene in which no two numbers agree and none is a default, so that no two fields can swap.
 SceneSpec unusual_scene() {
   SceneSpec scene;
   scene.mesh = KnotSpec{-5, 7, 2.5, 0.75, 0.125, 301, 17, 11, 3};
   scene.texture = PlainColor{{0.25, 0.5, 1.0}};
   scene.view.camera = {{1.5, -6.25, 3.75}, {0.1, 0.2, 0.3}, {0.4, 0.6, 0.8}, 33.3};
-  scene.view.light.position = {-9.5, 8.5, 7.5};
+  scene.view.lights = {PointLight{.position = {-9.5, 8.5, 7.5}, .color = {}, .falloff = {}}};
   scene.view.ambient = 1.0 / 3.0;
-  scene.view.material = {Model::kPhong, Space::kYiq, 13.5,           0.9,
-                         0.7,           -0.05,       Clamp::kTable1, NormalUse::kInterpolated};
+  scene.view.ambient_color = {0.85, 0.95, 0.65};
+  scene.view.material = unusual_material();
   scene.view.image = {321, 123, 5};
   return scene;
 }
@@ -85,20 +109,41 @@ TEST(SceneJson, every_field_of_an_unusual_scene_comes_back) {
   EXPECT_EQ(again.view.camera.target, (Vec3d{0.1, 0.2, 0.3}));
   EXPECT_EQ(again.view.camera.up, (Vec3d{0.4, 0.6, 0.8}));
   EXPECT_EQ(again.view.camera.fov_degrees, 33.3);
-  EXPECT_EQ(again.view.light.position, (Vec3d{-9.5, 8.5, 7.5}));
+  ASSERT_EQ(again.view.lights.size(), 1u);
+  EXPECT_EQ(std::get<PointLight>(again.view.lights[0]).position, (Vec3d{-9.5, 8.5, 7.5}));
   EXPECT_EQ(again.view.ambient, 1.0 / 3.0);
+  EXPECT_EQ(again.view.ambient_color, (Vec3d{0.85, 0.95, 0.65}));
 }
 
-TEST(SceneJson, every_field_of_an_unusual_material_and_image_comes_back) {
-  const SceneSpec again = read(scene_to_json(unusual_scene()));
-  const Material& m = again.view.material;
-  EXPECT_EQ(m.space, Space::kYiq);
+TEST(SceneJson, every_number_and_colour_of_an_unusual_material_comes_back) {
+  const Material m = read(scene_to_json(unusual_scene())).view.material;
   EXPECT_EQ(m.shininess, 13.5);
+  EXPECT_EQ(m.roughness, 0.45);
+  EXPECT_EQ(m.reflectance, 0.035);
+  EXPECT_EQ(m.darkness, 1.25);
   EXPECT_EQ(m.diffuse, 0.9);
   EXPECT_EQ(m.specular, 0.7);
+  EXPECT_EQ(m.ambient_color, (Vec3d{0.11, 0.12, 0.13}));
+  EXPECT_EQ(m.diffuse_color, (Vec3d{0.21, 0.22, 0.23}));
+  EXPECT_EQ(m.specular_color, (Vec3d{0.31, 0.32, 0.33}));
+  EXPECT_EQ(m.emissive, (Vec3d{0.41, 0.42, 0.43}));
   EXPECT_EQ(m.luma_offset, -0.05);
+}
+
+TEST(SceneJson, every_choice_of_an_unusual_material_comes_back) {
+  const Material m = read(scene_to_json(unusual_scene())).view.material;
+  EXPECT_EQ(m.model, Model::kOrenNayar);
+  EXPECT_EQ(m.space, Space::kYuv709);
+  EXPECT_EQ(m.form, Form::kCollapsed);
   EXPECT_EQ(m.clamp, Clamp::kTable1);
+  EXPECT_EQ(m.gamut, Gamut::kChroma);
   EXPECT_EQ(m.normal, NormalUse::kInterpolated);
+  EXPECT_EQ(m.highlights, Highlights::kGated);
+  EXPECT_EQ(m.rate, Rate::kVertex);
+}
+
+TEST(SceneJson, every_field_of_an_unusual_image_comes_back) {
+  const SceneSpec again = read(scene_to_json(unusual_scene()));
   EXPECT_EQ(again.view.image.width, 321);
   EXPECT_EQ(again.view.image.height, 123);
   EXPECT_EQ(again.view.image.samples, 5);
@@ -111,10 +156,15 @@ TEST(SceneJson, fields_are_written_under_their_published_keys) {
   EXPECT_EQ(json["texture"], Json::parse(R"({"color": [0.25, 0.5, 1.0]})"));
   EXPECT_EQ(json["camera"], Json::parse(R"({"position": [1.5, -6.25, 3.75],
       "target": [0.1, 0.2, 0.3], "up": [0.4, 0.6, 0.8], "fov_degrees": 33.3})"));
-  EXPECT_EQ(json["light"], Json::parse(R"({"position": [-9.5, 8.5, 7.5]})"));
-  EXPECT_EQ(json["material"], Json::parse(R"({"model": "phong", "space": "yiq", "shininess": 13.5,
-      "diffuse": 0.9, "specular": 0.7, "luma_offset": -0.05, "clamp": "table1",
-      "normal": "interpolated"})"));
+  EXPECT_EQ(json["lights"], Json::parse(R"([{"point": {"position": [-9.5, 8.5, 7.5],
+      "color": [1, 1, 1], "intensity": 1, "constant": 1, "linear": 0, "quadratic": 0}}])"));
+  EXPECT_EQ(json["ambient_color"], Json::parse("[0.85, 0.95, 0.65]"));
+  EXPECT_EQ(json["material"], Json::parse(R"({"model": "oren-nayar", "space": "yuv709",
+      "form": "collapsed", "shininess": 13.5, "roughness": 0.45, "reflectance": 0.035,
+      "darkness": 1.25, "diffuse": 0.9, "specular": 0.7, "ambient_color": [0.11, 0.12, 0.13],
+      "diffuse_color": [0.21, 0.22, 0.23], "specular_color": [0.31, 0.32, 0.33],
+      "emissive": [0.41, 0.42, 0.43], "luma_offset": -0.05, "clamp": "table1", "gamut": "chroma",
+      "normal": "interpolated", "highlights": "gated", "rate": "vertex"})"));
   EXPECT_EQ(json["image"], Json::parse(R"({"width": 321, "height": 123, "samples": 5})"));
 }
 
@@ -123,8 +173,8 @@ TEST(SceneJson, an_empty_object_is_the_default_scene) {
 }
 
 TEST(SceneJson, empty_objects_at_every_depth_keep_the_defaults) {
-  const std::string text = R"({"mesh": {"knot": {}}, "camera": {}, "light": {}, "material": {},
-                               "image": {}})";
+  const std::string text = R"({"mesh": {"knot": {}}, "camera": {}, "lights": [{"point": {}}],
+                               "material": {}, "image": {}})";
   EXPECT_EQ(scene_to_json(read(text)), scene_to_json(SceneSpec{}));
 }
 
@@ -149,7 +199,7 @@ TEST(SceneJson, one_given_key_leaves_its_neighbours_at_their_defaults) {
 
 TEST(SceneJson, numbers_without_a_fraction_serve_where_a_length_is_asked) {
   EXPECT_EQ(read(R"({"ambient": 1})").view.ambient, 1.0);
-  EXPECT_EQ(read(R"({"light": {"position": [1, 2, 3]}})").view.light.position, (Vec3d{1, 2, 3}));
+  EXPECT_EQ(read(R"({"camera": {"position": [1, 2, 3]}})").view.camera.position, (Vec3d{1, 2, 3}));
 }
 
 TEST(SceneJson, the_order_of_keys_does_not_matter) {

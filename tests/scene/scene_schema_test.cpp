@@ -15,11 +15,18 @@ using Json = nlohmann::json;
 
 Json schema() { return Json::parse(scene_json_schema()); }
 
-/// Calls `visit(path, schema)` for every value that is no object: keys, from the scene down.
+constexpr std::string_view kFirst = "[0]";  // after the key of a list: its first element
+
+/// Calls `visit(path, schema)` for every value that is neither an object nor a list of objects:
+/// keys, from the scene down.
 template <class F>
 void for_each_leaf(const Json& node, const std::vector<std::string>& path, F visit) {
   if (node.contains("oneOf")) {
     for (const Json& choice : node["oneOf"]) for_each_leaf(choice, path, visit);
+  } else if (node.contains("items") && node["items"].contains("oneOf")) {
+    std::vector<std::string> element = path;
+    element.back() += kFirst;
+    for_each_leaf(node["items"], element, visit);
   } else if (node.contains("properties")) {
     for (const auto& [key, inner] : node["properties"].items()) {
       std::vector<std::string> longer = path;
@@ -40,13 +47,22 @@ std::string dotted(const std::vector<std::string>& path) {
 /// A scene that sets one value and nothing else.
 std::string scene_with(const std::vector<std::string>& path, const Json& value) {
   Json scene = value;
-  for (auto key = path.rbegin(); key != path.rend(); ++key) scene = Json{{*key, scene}};
+  for (auto key = path.rbegin(); key != path.rend(); ++key) {
+    const bool list = key->ends_with(kFirst);
+    scene = list ? Json{{key->substr(0, key->size() - kFirst.size()), Json::array({scene})}}
+                 : Json{{*key, scene}};
+  }
   return scene.dump();
 }
 
 Json at(const Json& json, const std::vector<std::string>& path) {
   Json found = json;
-  for (const std::string& key : path) found = found.value(key, Json());
+  for (const std::string& key : path) {
+    if (!found.is_object()) return {};
+    const bool list = key.ends_with(kFirst);
+    const Json inner = found.value(list ? key.substr(0, key.size() - kFirst.size()) : key, Json());
+    found = list ? inner.at(0) : inner;
+  }
   return found;
 }
 
@@ -57,8 +73,9 @@ TEST(SceneSchema, describes_every_field_and_closes_every_object) {
     EXPECT_NE(leaf.value("description", ""), "") << dotted(path);
     ++leaves;
   });
-  // 9 of the knot, 1 mesh file, 3 textures, 4 of the camera, light, ambient, 8 + 3.
-  EXPECT_EQ(leaves, 30);
+  // 9 of the knot, 1 mesh file, 3 textures, 4 of the camera; 6, 3 and 9 of the lights; 2 of the
+  // ambient light, 19 of the material, 3 of the image.
+  EXPECT_EQ(leaves, 59);
 }
 
 TEST(SceneSchema, its_defaults_are_what_an_empty_scene_means) {
@@ -70,7 +87,8 @@ TEST(SceneSchema, its_defaults_are_what_an_empty_scene_means) {
     EXPECT_EQ(leaf["default"], value) << dotted(path);
     ++compared;
   });
-  EXPECT_EQ(compared, 26);  // all but the two files, the constant and the colour
+  // All but the two files, the constant, the colour and the lights that are no point.
+  EXPECT_EQ(compared, 59 - 4 - 12);
 }
 
 TEST(SceneSchema, its_defaults_are_accepted_one_by_one) {
@@ -87,8 +105,8 @@ TEST(SceneSchema, what_it_forbids_the_reader_refuses_by_the_same_path) {
         << text;
   };
   for_each_leaf(schema(), {}, [&](const auto& path, const Json& leaf) {
-    if (leaf.contains("minimum")) refused(path, leaf["minimum"].template get<int>() - 1);
-    if (leaf.contains("maximum")) refused(path, leaf["maximum"].template get<int>() + 1);
+    if (leaf.contains("minimum")) refused(path, leaf["minimum"].template get<double>() - 1);
+    if (leaf.contains("maximum")) refused(path, leaf["maximum"].template get<double>() + 1);
     if (leaf.contains("exclusiveMinimum")) refused(path, leaf["exclusiveMinimum"]);
     if (leaf.contains("exclusiveMaximum")) refused(path, leaf["exclusiveMaximum"]);
     if (leaf.contains("enum")) refused(path, "no such name");

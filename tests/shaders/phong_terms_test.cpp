@@ -1,18 +1,24 @@
 #include <gtest/gtest.h>
 
-#include "shaders/lighting.h"
 #include "tests/shaders/random_surface.h"
+#include "tests/shaders/terms_at.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr double kRounding = 1e-14;  // a few operations on numbers near one
 
+Material phong(double k, NormalUse use = NormalUse::kUnit) {
+  Material m;
+  m.shininess = k;
+  m.normal = use;
+  return m;
+}
+
 /// The terms at the origin, seen from and lit along the given directions.
-Terms<double> terms(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_eye, double k,
-                    NormalUse use = NormalUse::kUnit) {
-  const SurfacePoint<double> point{{0, 0, 0}, normal, {0.5, 0.5, 0.5}};
-  return phong_terms(point, {to_eye * 3.0, to_light * 5.0, 0, 1, 1, k, 0}, use);
+GreyTerms terms(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_eye, double k,
+                NormalUse use = NormalUse::kUnit) {
+  return terms_at(normal, to_light, to_eye, phong(k, use));
 }
 
 TEST(PhongTerms, light_and_eye_along_the_normal_give_one_and_one) {
@@ -83,7 +89,7 @@ TEST(PhongTerms, shininess_zero_makes_the_highlight_one_everywhere) {
 TEST(PhongTerms, lie_between_zero_and_one) {
   RandomSurface random;
   for (int i = 0; i < 300; ++i) {
-    const auto t = phong_terms(random.point(), random.lighting(), NormalUse::kUnit);
+    const auto t = grey_terms(random.view(), random.point(), phong(55));
     ASSERT_GE(t.diffuse, 0);
     ASSERT_LE(t.diffuse, 1 + kRounding);
     ASSERT_GE(t.specular, 0);
@@ -95,11 +101,11 @@ TEST(PhongTerms, highlight_is_the_same_with_eye_and_light_exchanged) {
   RandomSurface random;
   for (int i = 0; i < 300; ++i) {
     const SurfacePoint<double> point = random.point();
-    Lighting<double> lighting = random.lighting();
-    const double one_way = phong_terms(point, lighting, NormalUse::kUnit).specular;
-    std::swap(lighting.eye_position, lighting.light_position);
+    View view = random.view();
+    const double one_way = grey_terms(view, point, phong(55)).specular;
+    std::swap(view.camera.position, std::get<PointLight>(view.lights[0]).position);
     // Reflection keeps angles (Helmholtz); the power multiplies the rounding.
-    ASSERT_NEAR(phong_terms(point, lighting, NormalUse::kUnit).specular, one_way, 55 * kRounding);
+    ASSERT_NEAR(grey_terms(view, point, phong(55)).specular, one_way, 55 * kRounding);
   }
 }
 
@@ -107,19 +113,20 @@ TEST(PhongTerms, highlight_does_not_tell_the_normal_s_side) {
   RandomSurface random;
   for (int i = 0; i < 100; ++i) {
     SurfacePoint<double> point = random.point();
-    const Lighting<double> lighting = random.lighting();
-    const double one_side = phong_terms(point, lighting, NormalUse::kUnit).specular;
+    const View view = random.view();
+    const double one_side = grey_terms(view, point, phong(55)).specular;
     point.normal = -point.normal;  // R is even in n
-    ASSERT_NEAR(phong_terms(point, lighting, NormalUse::kUnit).specular, one_side, 55 * kRounding);
+    ASSERT_NEAR(grey_terms(view, point, phong(55)).specular, one_side, 55 * kRounding);
   }
 }
 
 TEST(PhongTerms, only_directions_matter_not_distances) {
-  const SurfacePoint<double> point{{1, 2, 3}, {0, 0, 1}, {0, 0, 0}};
+  const SurfacePoint<double> point{{1, 2, 3}, {0, 0, 1}};
   const auto at = [&](double d) {
-    const Vec3d eye = point.position + Vec3d{0, 0, 1} * d;
-    const Vec3d light = point.position + Vec3d{0.6, 0, 0.8} * d;
-    return phong_terms(point, {eye, light, 0, 1, 1, 2, 0}, NormalUse::kUnit);
+    View view;
+    view.camera.position = point.position + Vec3d{0, 0, 1} * d;
+    view.lights = {PointLight{point.position + Vec3d{0.6, 0, 0.8} * d, {}, {}}};
+    return grey_terms(view, point, phong(2));
   };
   EXPECT_NEAR(at(0.5).diffuse, at(500).diffuse, 1e-13);  // positions near 500 round more coarsely
   EXPECT_NEAR(at(0.5).specular, at(500).specular, 1e-13);

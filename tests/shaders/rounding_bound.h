@@ -18,6 +18,7 @@ inline constexpr double kFloatRounding = 0x1p-24;
 /// Errors of the functions of a C library of today: one last place. Relative, the logarithm's
 /// absolute.
 struct LibraryErrors {
+  static constexpr double kRounding = kFloatRounding;  ///< of a sum, a product, a constant
   static double division() { return kFloatRounding; }
   static double root() { return kFloatRounding; }
   static double exponential(double) { return 2 * kFloatRounding; }
@@ -29,6 +30,7 @@ struct LibraryErrors {
 /// division 2.5 last places; sqrt as 1 / inversesqrt (2); exp2 3 + 2 |x|; log2 3, and 2^-21
 /// absolute in [0.5, 2]; exp, log and pow by these two.
 struct VulkanErrors {
+  static constexpr double kRounding = kFloatRounding;
   static constexpr double kUlp = 2 * kFloatRounding;
   static double division() { return 2.5 * kUlp; }
   static double root() { return 4.5 * kUlp; }
@@ -138,7 +140,10 @@ inline Vec3d value_of(const Node& node, const std::vector<Vec3d>& a, const Input
 /// The rounding of this node alone, absolute; `r` is its value.
 template <class Errors>
 Vec3d own_error(const Node& node, const std::vector<Vec3d>& a, const Vec3d& r) {
-  const auto to_float = [](double x, double) { return std::abs(x - double(float(x))); };
+  constexpr bool kIsFloat = Errors::kRounding == kFloatRounding;
+  const auto to_float = [](double x, double) {
+    return kIsFloat ? std::abs(x - double(float(x))) : 0;
+  };
   switch (node.op) {
     case Op::kParameter:
     case Op::kConstant:
@@ -147,11 +152,11 @@ Vec3d own_error(const Node& node, const std::vector<Vec3d>& a, const Vec3d& r) {
     case Op::kSubtract:
     case Op::kMultiply:
     case Op::kScale:
-      return absolute(r) * kFloatRounding;
+      return absolute(r) * Errors::kRounding;
     case Op::kDivide:
       return absolute(r) * Errors::division();
     case Op::kPower:
-      return r.x > 0 ? absolute(r) * Errors::power(a[0].x, a[1].x) : Vec3d{};
+      return r.x > 0 && a[0].x > 0 ? absolute(r) * Errors::power(a[0].x, a[1].x) : Vec3d{};
     case Op::kExp:
       return absolute(r) * Errors::exponential(a[0].x);
     case Op::kLog:
@@ -159,14 +164,14 @@ Vec3d own_error(const Node& node, const std::vector<Vec3d>& a, const Vec3d& r) {
     case Op::kSqrt:
       return absolute(r) * Errors::root();
     case Op::kDot:
-      return {3 * kFloatRounding * dot(absolute(a[0]), absolute(a[1])), 0, 0};
+      return {3 * Errors::kRounding * dot(absolute(a[0]), absolute(a[1])), 0, 0};
     case Op::kCross: {
       const Vec3d p = absolute(a[0]), q = absolute(a[1]);
       return Vec3d{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x} *
-             (2 * kFloatRounding);
+             (2 * Errors::kRounding);
     }
     case Op::kUnit:
-      return absolute(r) * (1.5 * kFloatRounding + Errors::root() + Errors::division());
+      return absolute(r) * (1.5 * Errors::kRounding + Errors::root() + Errors::division());
     default:
       return {};
   }

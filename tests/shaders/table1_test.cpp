@@ -61,26 +61,35 @@ Float3 LumaPhongDiffuse(Float3 normal_world, Float3 pos_world, Float3 tex_col, P
 Float3 hlsl(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 /// The scene's numbers that Table 1 has, the weights at one.
-Lighting<double> lighting(RandomSurface& random) {
-  Lighting<double> l = random.lighting();
-  l.ambient = random.number(0, 1);
-  l.shininess = random.number(0, 16);
-  l.diffuse = l.specular = 1;
-  l.luma_offset = named_materials()[1].material.luma_offset;
-  return l;
+View table1_view(RandomSurface& random) {
+  View view = random.view();
+  view.ambient = random.number(0, 1);
+  return view;
+}
+
+Material table1_material(RandomSurface& random) {
+  Material m = *with_formula(Material{}, "yiq-table1");
+  m.shininess = random.number(0, 16);
+  return m;
+}
+
+Parameters listing_parameters(const View& view, const Material& material) {
+  return {hlsl(view.camera.position), hlsl(std::get<PointLight>(view.lights[0]).position),
+          view.ambient, material.shininess};
 }
 
 TEST(Table1, preset_computes_the_listing) {
   RandomSurface random;
-  const Shot shot{"table1", Stage::kFinal, *with_formula(Material{}, "yiq-table1")};
   int inside = 0;
   for (int i = 0; i < 500; ++i) {
     const SurfacePoint<double> point = random.point();
-    const Lighting<double> l = lighting(random);
-    const Float3 expected =
-        LumaPhongDiffuse(hlsl(point.normal), hlsl(point.position), hlsl(point.texture),
-                         {hlsl(l.eye_position), hlsl(l.light_position), l.ambient, l.shininess});
-    const Vec3d color = stage_color(point, l, shot);
+    const Vec3d texture = random.texture();
+    const View view = table1_view(random);
+    const Material m = table1_material(random);
+    const Float3 expected = LumaPhongDiffuse(hlsl(point.normal), hlsl(point.position),
+                                             hlsl(texture), listing_parameters(view, m));
+    const Vec3d color =
+        stage_color(point, texture, lighting_of<double>(view, m), {"table1", Stage::kFinal, m});
     // Rounding in another order, times an exponent of up to 16 and a chroma weight of 1.7.
     ASSERT_NEAR(color.x, expected.x, 1e-13) << i;
     ASSERT_NEAR(color.y, expected.y, 1e-13) << i;
@@ -92,18 +101,22 @@ TEST(Table1, preset_computes_the_listing) {
 
 TEST(Table1, differs_from_the_equations_where_the_paper_does) {
   // One point where each of the listing's four differences shows.
-  const SurfacePoint<double> point{{0, 0, 0}, {0, 0, 0.9}, {0.5, 0.4, 0.3}};
-  const Lighting<double> l{{0, 0, 3}, {0, 0, 5}, 0.5, 1, 1, 55, -0.1};
-  Lighting<double> no_offset = l;
-  no_offset.luma_offset = 0;
-  const Shot table1{"t", Stage::kFinal, *with_formula(Material{}, "yiq-table1")};
-  const Shot eq6{"e", Stage::kFinal, *with_formula(Material{}, "yiq-eq6")};
+  const SurfacePoint<double> point{{0, 0, 0}, {0, 0, 0.9}};
+  const Vec3d texture{0.5, 0.4, 0.3};
+  View view;
+  view.camera.position = {0, 0, 3};
+  view.lights = {PointLight{{0, 0, 5}, {}, {}}};
+  view.ambient = 0.5;
+  const auto color = [&](const char* formula) {
+    const Material m = *with_formula(Material{}, formula);
+    return stage_color(point, texture, lighting_of<double>(view, m), {"s", Stage::kFinal, m});
+  };
   // Table 1: light saturates at 1, highlight 1: Y + 1 - 0.1 beyond white.
-  EXPECT_EQ(stage_color(point, l, table1), (Vec3d{1, 1, 1}));
+  EXPECT_EQ(color("yiq-table1"), (Vec3d{1, 1, 1}));
   // Eq. 6: Y_T (0.5 + 1) + 1, chroma kept: T + Y_T / 2 + 1 (M and W are inverse to 1e-7).
   const double y = 0.29889531 * 0.5 + 0.58662247 * 0.4 + 0.11448223 * 0.3;
-  EXPECT_NEAR(stage_color(point, no_offset, eq6).x, 0.5 + y / 2 + 1, 1e-6);
-  EXPECT_NEAR(stage_color(point, no_offset, eq6).z, 0.3 + y / 2 + 1, 1e-6);
+  EXPECT_NEAR(color("yiq-eq6").x, 0.5 + y / 2 + 1, 1e-6);
+  EXPECT_NEAR(color("yiq-eq6").z, 0.3 + y / 2 + 1, 1e-6);
 }
 
 }  // namespace
