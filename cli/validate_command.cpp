@@ -74,6 +74,9 @@ std::string repeat_command(const ValidateFlags& flags) {
   if (flags.programs.povray != usual.povray) add("--povray", flags.programs.povray);
   if (flags.programs.blender != usual.blender) add("--blender", flags.programs.blender);
   if (flags.programs.xvfb != usual.xvfb) add("--xvfb", flags.programs.xvfb);
+  if (flags.programs.gpu != usual.gpu) add("--gpu", flags.programs.gpu);
+  if (flags.programs.glslang != usual.glslang) add("--glslang", flags.programs.glslang);
+  if (flags.programs.osl_python != usual.osl_python) add("--osl-python", flags.programs.osl_python);
   add("-o", flags.output);
   return command;
 }
@@ -150,6 +153,14 @@ void add_program_flags(CLI::App& command, Programs& programs) {
   command.add_option("--blender", programs.blender, "Blender's program")->capture_default_str();
   command.add_option("--xvfb", programs.xvfb, "the X server that Eevee draws on")
       ->capture_default_str();
+  command.add_option("--gpu", programs.gpu,
+                     "lumaknot-gpu, for gl, gles, vulkan and hlsl; unless given, the one beside "
+                     "this program");
+  command.add_option("--glslang", programs.glslang, "glslangValidator, for vulkan and hlsl")
+      ->capture_default_str();
+  command.add_option("--osl-python", programs.osl_python,
+                     "a Python with the module bpy, for osl; unless given, the one of "
+                     "scripts/install-extras");
 }
 
 void add_validate_command(CLI::App& program, int& exit_code) {

@@ -101,7 +101,9 @@ class Gpu final : public Renderer {
   }
 
   std::string missing_program(const fs::path& program) const {
-    if (program.empty()) return "lumaknot-gpu is not here; build the target lumaknot-gpu";
+    if (program.empty())
+      return fmt::format("{} is not here; it is built with this program and lies beside it",
+                         programs_.gpu.empty() ? "lumaknot-gpu" : programs_.gpu);
     const bool compiles = interface_.api == "vulkan";
     if (compiles && find_program(programs_.glslang).empty()) {
       return fmt::format("{} is not here; apt-get install glslang-tools", programs_.glslang);

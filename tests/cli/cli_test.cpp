@@ -46,7 +46,9 @@ TEST_F(Program, bad_scenes_are_refused_by_path_value_and_remedy) {
   refused(R"({"mesh": {"knot": {"segments": 2}}})", "mesh.knot.segments");
   refused(R"({"mesh": {"knot": {"sides": "40"}}})",
           "mesh.knot.sides must be an integer, got \"40\"");
-  refused(R"({"light": {"position": [1, 2]}})", "light.position must be three numbers");
+  refused(R"({"lights": [{"point": {"position": [1, 2]}}]})",
+          "lights[0].point.position must be three numbers");
+  refused(R"({"light": {"position": [1, 2, 3]}})", "light is not a known key; known here: mesh");
   refused(R"({"ambient": 1e999})", "scene.json: ambient holds '1e999'");
   refused(R"({"camera": {"fov": 40}})", "camera.fov is not a known key");
   refused(R"({"texture": {"file": "none.png"}})", "texture.file");
@@ -120,8 +122,8 @@ TEST_F(Program, files_of_a_scene_are_looked_for_beside_it) {
 
 TEST_F(Program, validate_without_renderers_says_so_in_its_exit_code_and_report) {
   const std::string none = "/nonexistent/program";
-  const Ended ended =
-      lumaknot({"validate", "figure2", "--povray", none, "--blender", none, "-o", "r"});
+  const Ended ended = lumaknot(
+      {"validate", "figure2", "--povray", none, "--blender", none, "--gpu", none, "-o", "r"});
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_THAT(ended.log, HasSubstr("skipped: /nonexistent/program is not here"));
   EXPECT_EQ(nlohmann::json::parse(read("r/report.json"))["verdict"], "nothing to compare");
