@@ -1,0 +1,44 @@
+/// Emitted shaders run in the programs of their languages, on rows of numbers.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shaders/language.h"
+#include "tests/kernel/kernel_rows.h"
+
+namespace lumaknot::testing {
+
+/// A shader, its text in a language, and its rows.
+struct Kernel {
+  Shader shader;
+  std::string code;  ///< kernel_code()
+  KernelRows rows;
+};
+
+/// A colour for each row.
+using Colors = std::vector<Vec3d>;
+
+/// What runs of `shader` in `language`: of GLSL and HLSL emit_kernel()'s fragment stage, of others
+/// the first file that emit() makes. Effects (kFx) have no program that runs them.
+std::string kernel_code(const Shader& shader, Language language);
+
+/// The colours of each kernel. Throws std::runtime_error.
+std::vector<Colors> run_kernels(std::span<const Kernel> kernels, Language language);
+
+/// Why `language` can't run here, with the remedy; empty when it can.
+std::string missing_for(Language language);
+
+/// By lumaknot-gpu: GLSL and HLSL.
+std::vector<Colors> run_on_gpu(std::span<const Kernel> kernels, Language language);
+std::string missing_for_gpu(Language language);
+
+/// In Cycles: kBlender and kOsl.
+std::vector<Colors> run_in_cycles(std::span<const Kernel> kernels, Language language);
+std::string missing_for_cycles(Language language);
+
+/// The bytes of a column: four floats a row.
+std::string column_bytes(const KernelColumn& column);
+
+}  // namespace lumaknot::testing
