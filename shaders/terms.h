@@ -102,13 +102,16 @@ S cook_torrance_highlight(const Directions<S>& d, const S& roughness, const S& r
   const S spread =
       named("spread", max(alpha2 * n_dot_h * n_dot_h + dot(n_cross_h, n_cross_h), least));
   const S lit = named("lit", max(d.n_dot_l, S(0)));
-  const S seen = named("seen", max(dot(d.n, d.v), S(1e-3)));
+  // An eye below the surface's horizon sees no highlight; there l + v may be any small vector.
+  const S n_dot_v = named("n_dot_v", dot(d.n, d.v));
+  const S seen = named("seen", max(n_dot_v, S(1e-3)));
+  const S above = saturate(n_dot_v * S(1e3));
   const S shadowed = lit * sqrt(max(seen * seen * (S(1) - alpha2) + alpha2, S(0)));
   const S masked = seen * sqrt(max(lit * lit * (S(1) - alpha2) + alpha2, S(0)));
   const S away = named("away", S(1) - max(dot(d.v, half), S(0)));
   const S away2 = away * away;
   const S fresnel = reflectance + (S(1) - reflectance) * (away2 * away2 * away);
-  return alpha2 * fresnel * lit * S(0.5) / (spread * spread * (shadowed + masked));
+  return above * alpha2 * fresnel * lit * S(0.5) / (spread * spread * (shadowed + masked));
 }
 
 template <class S>
