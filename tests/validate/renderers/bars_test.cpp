@@ -12,6 +12,12 @@
 namespace lumaknot {
 namespace {
 
+Programs programs() {
+  Programs result;
+  result.gpu = LUMAKNOT_GPU;
+  return result;
+}
+
 const Judgement& judgement_of(const Validation& v, std::string_view renderer) {
   return *std::ranges::find_if(
       v.judgements, [&](const Judgement& j) { return j.rendering.renderer == renderer; });
@@ -27,8 +33,10 @@ class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
  protected:
   static Validation run(std::string_view name) {
     const SceneSpec spec = *builtin_scene(name);
-    ValidationJob job{
-        {flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view}, {}, {}, {}};
+    ValidationJob job{{flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view},
+                      {},
+                      {},
+                      programs()};
     for (const NamedMaterial& m : paper_materials()) {
       job.finals.push_back(
           {std::string(m.name), Stage::kFinal, *with_formula(spec.view.material, m.name)});
@@ -40,10 +48,11 @@ class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
 TEST_P(BuiltinScene, agrees_in_every_renderer_within_the_promised_bars) {
   const Validation v = run(GetParam());
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
-  for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee"}) {
+  for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee", "GL", "Vulkan"}) {
+    const bool snaps = renderer != "Cycles" && renderer != "POV-Ray";
     const Judgement& judgement = judgement_of(v, renderer);
     ASSERT_TRUE(judgement.drew_any()) << renderer << ": " << judgement.rendering.log;
-    EXPECT_LE(judgement.coverage_differs, renderer == "Eevee" ? 5 : 0) << renderer;
+    EXPECT_LE(judgement.coverage_differs, snaps ? 5 : 0) << renderer;
     for (const Judged& shot : judgement.shots) {
       EXPECT_EQ(shot.drawn.status, Drawn::Status::kDrawn) << renderer << shot.drawn.why;
       EXPECT_EQ(shot.comparison.classes[std::size_t(PixelClass::kUnexplained)], 0) << renderer;
@@ -62,7 +71,7 @@ TEST_P(BuiltinScene, agrees_in_every_renderer_within_the_promised_bars) {
   EXPECT_EQ(judged(v, "POV-Ray", "phong").drawn.note, "");
   EXPECT_EQ(judged(v, "POV-Ray", "yiq-eq6").drawn.note, "");
   if (GetParam() == "figure1-specular") {
-    for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee"}) {
+    for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee", "GL", "Vulkan"}) {
       EXPECT_EQ(judged(v, renderer, "phong").claims.highlight_chroma, 0) << renderer;
       EXPECT_GT(judged(v, renderer, "yiq-eq6").claims.highlight_chroma, 0.1) << renderer;
       EXPECT_GT(judged(v, renderer, "yiq-table1").claims.highlight_chroma, 0.1) << renderer;
@@ -106,7 +115,7 @@ Scene odd_scene() {
 }
 
 TEST(OddScene, agrees_in_every_renderer) {
-  ValidationJob job{odd_scene(), {}, {}, {}};
+  ValidationJob job{odd_scene(), {}, {}, programs()};
   Material material;
   material.shininess = 3;
   material.diffuse = 0.8;
@@ -147,7 +156,7 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
   scene.view.camera = {{0.9, 1.4, -1.9}, {0.1, 0, -0.1}, {0.1, -0.2, 1}, 60};
   scene.view.lights = {PointLight{.position = {-2, -3, 1}, .color = {}, .falloff = {}}};
   scene.view.image = {256, 256, 1};
-  ValidationJob job{scene, {}, {}, {}};
+  ValidationJob job{scene, {}, {}, programs()};
   for (const NamedMaterial& m : paper_materials()) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(Material{}, m.name)});
   }
@@ -164,7 +173,7 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
 TEST(PlainColor, agrees_in_every_renderer) {
   Scene scene = odd_scene();
   scene.texture = Vec3d{0.2, 0.7, 0.4};
-  ValidationJob job{scene, {}, {}, {}};
+  ValidationJob job{scene, {}, {}, programs()};
   job.finals.push_back({"yiq-eq6", Stage::kFinal, *with_formula(Material{}, "yiq-eq6")});
   EXPECT_EQ(validate(job).verdict, Verdict::kAgreed);
 }
