@@ -63,11 +63,15 @@ inline std::set<std::string> declared_names(const std::string& code) {
 
 /// The functions of a C-like code, each from its type to the bracket that closes it.
 inline std::vector<std::string> functions_of(const std::string& code) {
-  static const std::regex kFunction(
-      R"((?:^|\n)((?:float|vec3|float3) \w+\([^)]*\) \{\n[\s\S]*?\n\}\n))");
+  // The head alone is a pattern: one over the body too would recurse a character at a time.
+  static const std::regex kHead(R"((?:float|vec3|float3) \w+\([^)]*\) \{\n)");
+  constexpr std::string_view kEnd = "\n}\n";
   std::vector<std::string> functions;
-  for (std::sregex_iterator it(code.begin(), code.end(), kFunction), end; it != end; ++it) {
-    functions.push_back(it->str(1));
+  for (std::sregex_iterator it(code.begin(), code.end(), kHead), end; it != end; ++it) {
+    const auto begin = std::size_t(it->position());
+    if (begin > 0 && code[begin - 1] != '\n') continue;
+    const std::size_t close = code.find(kEnd, begin);
+    if (close != code.npos) functions.push_back(code.substr(begin, close + kEnd.size() - begin));
   }
   return functions;
 }
