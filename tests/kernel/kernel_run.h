@@ -30,6 +30,10 @@ std::vector<Colors> run_kernels(std::span<const Kernel> kernels, Language langua
 /// Why `language` can't run here, with the remedy; empty when it can.
 std::string missing_for(Language language);
 
+/// Whether what runs `language` is an extra (scripts/install-extras), whose tests may be skipped.
+/// The others' programs are installed by ./check: without one its tests fail.
+inline bool is_extra(Language language) { return language == Language::kOsl; }
+
 /// By lumaknot-gpu: GLSL and HLSL.
 std::vector<Colors> run_on_gpu(std::span<const Kernel> kernels, Language language);
 std::string missing_for_gpu(Language language);

@@ -128,7 +128,7 @@ constexpr double kDouble = 1e-12;
 class PovMacro : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    if (!has_povray()) GTEST_SKIP() << kNoPovRay;
+    if (!has_povray()) FAIL() << kNoPovRay;
   }
 };
 
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Formulas, PovMacro,
 class PovMacroWith : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!has_povray()) GTEST_SKIP() << kNoPovRay;
+    if (!has_povray()) FAIL() << kNoPovRay;
   }
 };
 
