@@ -42,10 +42,10 @@ struct FlagVisitor {
 
 void run(const MeshFlags& flags) {
   check_knot(flags.knot, "--");
-  check_mesh_extension(flags.output, "--output");
+  check_mesh_output(flags.output, {}, "--output");
   const ClosedMesh closed = knot_mesh(flags.knot);
   const TriangleMesh mesh = flat_mesh(closed);
-  write_mesh(flags.output, mesh, "--output");
+  write_mesh(flags.output, mesh, {}, "--output");
   if (flags.out.json) {
     const nlohmann::ordered_json json{{"output", flags.output},
                                       {"vertices", mesh.positions.size()},

@@ -7,12 +7,20 @@
 
 namespace lumaknot {
 
-/// Writes `mesh`, a manifold one, as .obj or .ply (binary little-endian), with normals and texture
-/// coordinates, in float32. The file is there whole or not at all; `flag` names it in an Error.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view flag);
+/// How a mesh is written, where its format leaves a choice.
+struct MeshFileOptions {
+  bool ascii = false;  ///< as text: .ply and .stl, which are binary else
+  bool quads = false;  ///< pairs of triangles as quads: .obj, .ply, .off, a mesh that has quads
+};
 
-/// Throws Error, naming `flag`, unless write_mesh() knows the extension of `path`.
-void check_mesh_extension(const std::filesystem::path& path, std::string_view flag);
+/// Writes `mesh` in float32. The file is there whole or not at all; `flag` names it in an Error.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const MeshFileOptions& options, std::string_view flag);
+
+/// Throws Error, naming `flag`, unless write_mesh() knows the extension of `path` and its format
+/// has what `options` ask for.
+void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions& options,
+                       std::string_view flag);
 
 /// The triangles of a mesh file (.obj .ply .off .stl); polygons are cut into triangles, missing
 /// normals are made smooth, one vertex is kept for each set of equal attributes. With

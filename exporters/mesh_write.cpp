@@ -43,15 +43,16 @@ FlatMesh to_open_mesh(const TriangleMesh& mesh, std::string_view flag) {
 
 }  // namespace
 
-void check_mesh_extension(const std::filesystem::path& path, std::string_view flag) {
+void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions&,
+                       std::string_view flag) {
   const std::string extension = path.extension().string();
   if (extension == ".obj" || extension == ".ply") return;
   throw Error(fmt::format("{} {} must end in .obj or .ply", flag, path.string()));
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                std::string_view flag) {
-  check_mesh_extension(path, flag);
+                const MeshFileOptions& file_options, std::string_view flag) {
+  check_mesh_output(path, file_options, flag);
   constexpr int kDigits = 9;  // enough to tell every float32 from its neighbours
   omlog().disable();
   omerr().disable();

@@ -11,6 +11,14 @@ namespace lumaknot {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// A tangent for normal mapping, as MikkTSpace and glTF have it: `direction` is unit, perpendicular
+/// to the vertex's normal and points along increasing u; sign cross(normal, direction) points along
+/// increasing v, which is up.
+struct Tangent {
+  Vec3d direction;
+  double sign = 1;  ///< 1 or -1
+};
+
 /// Indexed triangles, one position, unit normal and texture coordinate a vertex; vertices on a
 /// texture seam are duplicated. Counter-clockwise seen from outside. The three arrays have one
 /// length, which every index stays below.
@@ -19,6 +27,8 @@ struct TriangleMesh {
   std::vector<Vec3d> normals;    ///< unit, outward
   std::vector<Vec2d> uvs;
   std::vector<Triangle> triangles;
+  std::vector<Tangent> tangents;  ///< one a vertex, or none at all
+  bool quads = false;             ///< triangles 2k and 2k + 1 are the halves of a quad
 };
 
 }  // namespace lumaknot

@@ -40,7 +40,7 @@ TEST_P(MeshFormat, mesh_read_back_is_the_mesh_in_float32) {
   const TemporaryFolder folder;
   const auto path = folder / (std::string("knot") + GetParam());
   const TriangleMesh mesh = small_mesh();
-  write_mesh(path, mesh, "--output");
+  write_mesh(path, mesh, {}, "--output");
   expect_same_surface(read_mesh(path, true, "mesh.file"), mesh);
 }
 
@@ -48,7 +48,7 @@ TEST_P(MeshFormat, positions_survive_as_the_nearest_float32) {
   const TemporaryFolder folder;
   const auto path = folder / (std::string("knot") + GetParam());
   const TriangleMesh mesh = small_mesh();
-  write_mesh(path, mesh, "--output");
+  write_mesh(path, mesh, {}, "--output");
   const TriangleMesh read = read_mesh(path, true, "mesh.file");
   for (std::size_t t = 0; t < read.triangles.size(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -66,8 +66,8 @@ TEST_P(MeshFormat, writing_twice_gives_the_same_bytes) {
   const TemporaryFolder folder;
   const auto a = folder / (std::string("a") + GetParam()),
              b = folder / (std::string("b") + GetParam());
-  write_mesh(a, small_mesh(), "--output");
-  write_mesh(b, small_mesh(), "--output");
+  write_mesh(a, small_mesh(), {}, "--output");
+  write_mesh(b, small_mesh(), {}, "--output");
   EXPECT_EQ(bytes_at(a), bytes_at(b));
   EXPECT_FALSE(bytes_at(a).empty());
 }
@@ -75,7 +75,7 @@ TEST_P(MeshFormat, writing_twice_gives_the_same_bytes) {
 TEST_P(MeshFormat, file_names_neither_its_folder_nor_itself) {
   const TemporaryFolder folder;
   const auto path = folder / (std::string("unmistakable") + GetParam());
-  write_mesh(path, small_mesh(), "--output");
+  write_mesh(path, small_mesh(), {}, "--output");
   EXPECT_THAT(bytes_at(path), ::testing::Not(HasSubstr("unmistakable")));
   EXPECT_THAT(bytes_at(path), ::testing::Not(HasSubstr(folder.path().string())));
 }
@@ -84,7 +84,7 @@ TEST_P(MeshFormat, written_file_replaces_the_old_one_and_leaves_nothing_beside_i
   const TemporaryFolder folder;
   const std::string name = std::string("knot") + GetParam();
   const auto path = folder.file(name, "old");
-  write_mesh(path, small_mesh(), "--output");
+  write_mesh(path, small_mesh(), {}, "--output");
   EXPECT_THAT(folder.names(), ElementsAre(name));
   EXPECT_GT(std::filesystem::file_size(path), 1000u);
 }
@@ -92,7 +92,7 @@ TEST_P(MeshFormat, written_file_replaces_the_old_one_and_leaves_nothing_beside_i
 TEST_P(MeshFormat, place_that_cannot_be_written_is_refused_naming_the_flag) {
   const TemporaryFolder folder;
   const auto path = folder / (std::string("missing/knot") + GetParam());
-  const std::string error = error_of([&] { write_mesh(path, small_mesh(), "--output"); });
+  const std::string error = error_of([&] { write_mesh(path, small_mesh(), {}, "--output"); });
   EXPECT_THAT(error, HasSubstr("--output"));
   EXPECT_THAT(error, HasSubstr(path.string()));
   EXPECT_THAT(folder.names(), IsEmpty());
@@ -102,7 +102,7 @@ TEST_P(MeshFormat, folder_in_place_of_the_file_is_refused_and_kept) {
   const TemporaryFolder folder;
   const std::string name = std::string("knot") + GetParam();
   std::filesystem::create_directory(folder / name);
-  EXPECT_THAT(error_of([&] { write_mesh(folder / name, small_mesh(), "--output"); }),
+  EXPECT_THAT(error_of([&] { write_mesh(folder / name, small_mesh(), {}, "--output"); }),
               HasSubstr("--output"));
   EXPECT_THAT(folder.names(), ElementsAre(name));
 }
@@ -111,7 +111,7 @@ TEST(WriteMesh, unknown_extension_is_refused_naming_the_flag_and_the_known_ones)
   const TemporaryFolder folder;
   for (const char* name : {"knot.stl", "knot.fbx", "knot", "knot.", "knot.objx", ".obj"}) {
     const auto path = folder.file(name, "old");
-    const std::string error = error_of([&] { write_mesh(path, small_mesh(), "--output"); });
+    const std::string error = error_of([&] { write_mesh(path, small_mesh(), {}, "--output"); });
     EXPECT_THAT(error, HasSubstr("--output")) << name;
     EXPECT_THAT(error, HasSubstr(".obj or .ply")) << name;
     EXPECT_EQ(bytes_at(path), "old") << name;
@@ -121,7 +121,7 @@ TEST(WriteMesh, unknown_extension_is_refused_naming_the_flag_and_the_known_ones)
 TEST(WriteMesh, knot_of_the_paper_has_the_papers_counts) {
   const TemporaryFolder folder;
   const auto path = folder / "knot.obj";
-  write_mesh(path, flat_mesh(knot_mesh(KnotSpec{})), "--output");
+  write_mesh(path, flat_mesh(knot_mesh(KnotSpec{})), {}, "--output");
   const std::string text = bytes_at(path);
   EXPECT_EQ(testing::lines_with(text, "v "), 31529);  // (768 + 1) (40 + 1)
   EXPECT_EQ(testing::lines_with(text, "f "), 61440);  // 2 * 768 * 40
