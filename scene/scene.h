@@ -12,17 +12,42 @@
 
 namespace lumaknot {
 
-/// A round tube swept along a (p,q) torus knot about +Z. Lengths in scene units.
+/// Whose knot it is: how vertices, normals, texture coordinates and triangles are made and ordered,
+/// and what the numbers are when none are given.
+enum class Convention {
+  kLumaknot,  ///< exact rings, links of gcd(p, q) components, seams duplicated both ways
+  kThree,     ///< three.js's TorusKnotGeometry
+  kBabylon,   ///< Babylon.js's CreateTorusKnotVertexData
+  kBlender,   ///< lumaknot's tube about the curve of Blender's add-on "Torus Knot Plus"
+};
+
+/// How the rings of the tube turn about its centre line.
+enum class FrameRule {
+  kRotationMinimizing,  ///< exactly, by the integral of the geodesic torsion
+  kDoubleReflection,    ///< by Wang, Juettler, Zheng and Liu's steps from ring to ring, 2008
+  kFrenet,              ///< the principal normal; undefined where the curvature is zero
+  kFixedUp,             ///< +Z projected; undefined where the centre line is vertical
+  kThree,               ///< as three.js: planes through a point a little farther on
+};
+
+/// What texture coordinates along the knot are proportional to.
+enum class Unwrap { kParameter, kArcLength };
+
+/// A round tube swept along a (p,q) torus knot about +Z, or, when p and q have a common divisor,
+/// along the link of that many components. Lengths in scene units.
 struct KnotSpec {
-  int p = 2;                    ///< turns about the axis; coprime to q
-  int q = 3;                    ///< turns through the hole
+  Convention convention = Convention::kLumaknot;
+  int p = 2;                    ///< turns about the axis
+  int q = 3;                    ///< turns through the hole; not zero as well
   double ring_radius = 1.0;     ///< from the axis to the centre of the torus tube, > 0
   double winding_radius = 0.4;  ///< from that centre to the knot, > 0
-  double tube_radius = 0.18;    ///< of the tube swept along the knot, > 0
-  int segments = 768;           ///< along the knot, >= 3
+  double tube_radius = 0.18;    ///< of the tube swept along the knot, > 0, < ring_radius
+  int segments = 768;           ///< along each component, >= 3
   int sides = 40;               ///< around the tube, >= 3
-  int repeat_u = 1;             ///< texture tiles along the knot, >= 1
+  int repeat_u = 1;             ///< texture tiles along each component, >= 1
   int repeat_v = 1;             ///< texture tiles around the tube, >= 1
+  FrameRule frames = FrameRule::kRotationMinimizing;
+  Unwrap unwrap = Unwrap::kArcLength;
 };
 
 /// A triangle mesh in a file (.obj, .ply, .off, .stl).

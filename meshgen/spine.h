@@ -1,0 +1,66 @@
+/// A centre line with its arc length and the frame that twists least along it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "meshgen/curve.h"
+
+namespace lumaknot {
+
+/// An orthonormal frame on the centre line: `across` x `tangent` = `over`.
+struct Frame {
+  Vec3d position, tangent;
+  Vec3d across, over;  ///< span the ring's plane, across at angle 0 of the tube
+};
+
+/// The integral of an even, smooth function of period 2 pi, to a few units in the last place:
+/// panels halved until 15-point Gauss-Legendre sums agree, their sums kept.
+class PeriodicIntegral {
+ public:
+  explicit PeriodicIntegral(std::function<double(double)> function);
+  /// From 0 to `x`, in radians.
+  double operator()(double x) const;
+
+ private:
+  void halve(double from, double to, double whole, int depth);
+
+  std::function<double(double)> function_;
+  std::vector<double> ends_{0}, sums_{0};  // of the panels on [0, pi]
+};
+
+/// One component's centre line. The rotation-minimising frame stands at the angle
+///   alpha(t) = p q R * integral of dt / |C'|
+/// from the torus' normal (minus the integral of the geodesic torsion of a (p,q) curve on a torus,
+/// do Carmo: Differential Geometry of Curves and Surfaces, 3-2); what it misses itself by after one
+/// loop is spread evenly over the arc length, so that the frame at 2 pi is the frame at 0.
+class Spine {
+ public:
+  explicit Spine(const Curve& curve);
+
+  const Curve& curve() const { return curve_; }
+  double length() const { return length_; }  ///< in scene units
+
+  /// The arc length from 0 to t, in scene units; t in radians, also beyond one loop.
+  double arc_length(double t) const;
+
+  /// The angle in (-pi, pi] by which the rotation-minimising frame misses itself after one loop.
+  double holonomy() const { return holonomy_; }
+
+  /// The closed frame at t, its error some 1e-15 radians a turn.
+  Frame frame(double t) const;
+
+  /// The turns of the closed frame against the torus' normal in one loop: a whole number.
+  int turns() const { return turns_; }
+
+ private:
+  double integral_of(const PeriodicIntegral& integral, double t) const;
+  double least_twist(double t) const;
+
+  Curve curve_;
+  PeriodicIntegral speed_, slowness_;
+  double length_ = 0, holonomy_ = 0;
+  int turns_ = 0;
+};
+
+}  // namespace lumaknot
