@@ -1,77 +1,122 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/commands.h"
+#include "cli/knot_flags.h"
+#include "cli/mesh_report.h"
 #include "cli/terminal.h"
 #include "exporters/mesh_file.h"
-#include "meshgen/knot_mesh.h"
-#include "meshgen/measure.h"
+#include "meshgen/lean_grid.h"
+#include "meshgen/tangents.h"
 #include "scene/check.h"
-#include "scene/fields.h"
+#include "scene/error.h"
+#include "scene/presets.h"
+#include "scene/scene_json.h"
 
 namespace lumaknot {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct MeshFlags {
-  KnotSpec knot;
+  std::shared_ptr<Json> knot;
   std::string output;
+  MeshFileOptions file;
+  std::optional<double> max_error;
+  bool measure = false, strict = false, tangents = false;
   Output out;
 };
 
-/// Makes a flag of every field of the knot.
-struct FlagVisitor {
-  CLI::App& command;
+/// The grid of fewest triangles, instead of segments and sides.
+void choose_grid(KnotSpec& knot, const MeshFlags& flags) {
+  if (flags.knot->contains("segments") || flags.knot->contains("sides")) {
+    throw Error("--max-error chooses --segments and --sides: leave them out");
+  }
+  check_number("--max-error", *flags.max_error, kPositive);
+  if (has_fixed_winding(knot.convention) || knot.frames != FrameRule::kRotationMinimizing) {
+    throw Error(
+        "--max-error needs rings that are exact: leave out --frames, and --convention three "
+        "or babylon");
+  }
+  const Spine spine(components(knot).front());
+  const LeanGrid grid = lean_grid(TubeSurface(spine, knot.tube_radius), *flags.max_error,
+                                  progress_bar(flags.out, "choosing a grid"));
+  knot.segments = grid.segments;
+  knot.sides = grid.sides;
+  check_knot(knot, "--");
+}
 
-  template <class T>
-  void add(std::string_view key, T& value, std::string_view about) {
-    std::string flag = fmt::format("--{}", key);
-    std::ranges::replace(flag, '_', '-');
-    command.add_option(flag, value, std::string(about))->capture_default_str();
+/// Says when the tube passes through itself, or refuses it.
+void check_clearance(const KnotSpec& knot, const MeshFlags& flags) {
+  const Clearance most = clearance(components(knot));
+  if (knot.tube_radius <= most.radius) return;
+  const std::string message =
+      fmt::format("--tube {} passes through itself; it must be <= {:.6g}, where {}",
+                  knot.tube_radius, most.radius, limit_text(most));
+  if (flags.strict) throw Error(message);
+  if (!flags.out.quiet) fmt::print(stderr, "lumaknot: warning: {}\n", message);
+}
+
+void tell(const KnotSpec& knot, const TriangleMesh& mesh, const MeshFlags& flags) {
+  Json json = Json::object();
+  if (!flags.output.empty()) {
+    json.update({{"output", flags.output},
+                 {"file_vertices", mesh.positions.size()},
+                 {"triangles", mesh.triangles.size()}});
+    flags.out.say(fmt::format("{}: {} vertices, {} triangles", flags.output, mesh.positions.size(),
+                              mesh.triangles.size()));
   }
-  void integer(std::string_view key, int& value, IntRange, std::string_view about) {
-    add(key, value, about);
+  if (flags.measure) {
+    const Certificate certificate = certify(knot, mesh);
+    json.update(certificate_json(knot, certificate));
+    flags.out.say(certificate_table(knot, certificate));
   }
-  void number(std::string_view key, double& value, Bound, std::string_view about) {
-    add(key, value, about);
-  }
-};
+  if (flags.out.json) fmt::print("{}\n", json.dump(2));
+}
 
 void run(const MeshFlags& flags) {
-  check_knot(flags.knot, "--");
-  check_mesh_output(flags.output, {}, "--output");
-  const ClosedMesh closed = knot_mesh(flags.knot);
-  const TriangleMesh mesh = flat_mesh(closed);
-  write_mesh(flags.output, mesh, {}, "--output");
-  if (flags.out.json) {
-    const nlohmann::ordered_json json{{"output", flags.output},
-                                      {"vertices", mesh.positions.size()},
-                                      {"triangles", mesh.triangles.size()},
-                                      {"genus", genus(closed)},
-                                      {"boundary_edges", boundary_edges(closed)},
-                                      {"volume", volume(closed)}};
-    fmt::print("{}\n", json.dump(2));
+  KnotSpec knot = knot_from_json(*flags.knot, "--");
+  if (flags.output.empty() && !flags.measure) {
+    throw Error("--output is needed: where to write the mesh; or --measure, to measure it");
   }
-  flags.out.say(fmt::format("{}: {} vertices, {} triangles", flags.output, mesh.positions.size(),
-                            mesh.triangles.size()));
+  if (!flags.output.empty()) check_mesh_output(flags.output, flags.file, "--output");
+  check_clearance(knot, flags);
+  if (flags.max_error) choose_grid(knot, flags);
+  TriangleMesh mesh = knot_mesh(knot);
+  if (flags.tangents) mesh.tangents = tangents(mesh);
+  if (!flags.output.empty()) write_mesh(flags.output, mesh, flags.file, "--output");
+  tell(knot, mesh, flags);
 }
 
 }  // namespace
 
 void add_mesh_command(CLI::App& program) {
   auto flags = std::make_shared<MeshFlags>();
-  CLI::App* command = program.add_subcommand("mesh", "Write the mesh of a (p,q) torus knot");
-  FlagVisitor visitor{*command};
-  visit_fields(visitor, flags->knot);
-  command->add_option("-o,--output", flags->output, "the mesh file: .obj or .ply")->required();
+  CLI::App* command =
+      program.add_subcommand("mesh", "Write or measure the mesh of a (p,q) torus knot or link");
+  flags->knot = add_knot_flags(*command);
+  command->add_option("--max-error", flags->max_error,
+                      "the fewest triangles within this distance of the exact tube");
+  command->add_flag("--measure", flags->measure, "tell what is true of the mesh");
+  command->add_flag("--strict", flags->strict, "refuse a tube that passes through itself");
+  command->add_option("-o,--output", flags->output,
+                      "the mesh file: .obj .ply .stl .off .om .glb .gltf .inc");
+  command->add_flag("--ascii", flags->file.ascii, ".ply and .stl as text");
+  command->add_flag("--quads", flags->file.quads, "keep quads: .obj .ply .off");
+  command->add_flag("--tangents", flags->tangents, "tangents for normal mapping: .glb .gltf");
   add_output_flags(*command, flags->out);
   command->footer(
+      "Defaults are lumaknot's; other conventions have their own.\n"
       "Examples:\n"
-      "  lumaknot mesh --p 2 --q 3 --segments 768 --sides 40 -o knot.obj\n"
-      "  lumaknot mesh --p 3 --q 5 --tube 0.1 --repeat-u 16 -o knot.ply");
+      "  lumaknot mesh --p 3 --q 5 --tube 0.1 -o knot.glb\n"
+      "  lumaknot mesh --p 4 --q 6 -o link.obj                     a link of 2 components\n"
+      "  lumaknot mesh --p 2 --q 3 --convention three -o three.ply three.js's vertices\n"
+      "  lumaknot mesh --max-error 0.001 -o lean.ply               the fewest triangles\n"
+      "  lumaknot mesh --measure                                   what is true of the default");
   command->callback([flags] { run(*flags); });
 }
 

@@ -27,7 +27,7 @@ struct Overloaded : Fs... {
 
 TriangleMesh load_mesh(const SceneInput& input) {
   const bool needs_uvs = !std::holds_alternative<PlainColor>(input.spec.texture);
-  return std::visit(Overloaded{[](const KnotSpec& knot) { return flat_mesh(knot_mesh(knot)); },
+  return std::visit(Overloaded{[](const KnotSpec& knot) { return knot_mesh(knot); },
                                [&](const MeshFile& file) {
                                  return read_mesh(input.folder / file.path, needs_uvs, "mesh.file");
                                }},

@@ -17,7 +17,8 @@ std::vector<Curve> components(const KnotSpec& knot) {
     const double phase = 2 * std::numbers::pi * k;
     (knot.q != 0 ? curve.longitude : curve.meridian) = phase / std::abs(knot.q ? knot.q : knot.p);
     // Only circles about the axis can shrink to a point, when they lie on it.
-    if (speed(curve, 0) <= 1e-12 * (knot.ring_radius + knot.winding_radius)) {
+    const double size = knot.ring_radius + knot.winding_radius;
+    if (knot.q == 0 && speed(curve, 0) <= 1e-12 * size) {
       throw Error(
           fmt::format("component {} of the ({},{}) link lies on the axis and has no extent; "
                       "change the ring's radius {} or the winding's {}",

@@ -1,25 +1,30 @@
-/// Frames along the centre line that twist as little as a closed curve allows.
+/// How the tube's rings stand along a centre line.
 #pragma once
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "meshgen/spine.h"
 
 namespace lumaknot {
 
-/// An orthonormal frame on the centre line: `across` x `tangent` = `over`.
-struct Frame {
-  Vec3d position, tangent;
-  Vec3d across, over;  ///< span the ring's plane, across at angle 0 of the tube
-};
+/// The rings' frames at t = 2 pi i / segments, i = 0 ... segments. The last stands on the first;
+/// how far it misses it tells how well the rule closes.
+///
+/// kRotationMinimizing is the spine's exact frame. kDoubleReflection steps from ring to ring (Wang,
+/// Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, 2008) and spreads what the loop
+/// misses over the arc length, the way from the last ring to the first included; it converges to
+/// the exact frame at order 4. The others are what other tools do. Throws Error, naming the place
+/// and the remedy, where a rule leaves the frame undefined or turns it by more than a quarter from
+/// one ring to the next.
+std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule, int segments);
 
-/// Frames at t = 2 pi i / segments, i = 0 ... segments - 1. Rotation minimising by double
-/// reflection (Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, 2008), an
-/// error of order 4 in the step; the angle missing when the loop closes is spread evenly over it,
-/// so that the frame after the last is the first.
-std::vector<Frame> closed_frames(const KnotSpec& knot);
+/// three.js's frame: the ring's plane holds the normal of the plane through the origin, the point
+/// and one 0.01 radians of longitude farther on; tilted against the centre line by what a finite
+/// difference errs. `tangent` is that difference, unit. Not a number where it is undefined.
+Frame three_frame(const Curve& curve, double t);
 
-/// The angle in (-pi, pi] by which the rotation-minimising frame misses itself after one loop.
-double closing_angle(const KnotSpec& knot);
+/// The angle by which frames turn about the centre line from the first to the last, against one
+/// that twists least, in radians. Steps must be small: each is taken to be less than half a turn.
+double twist(const std::vector<Frame>& frames);
 
 }  // namespace lumaknot

@@ -1,100 +1,171 @@
 #include "meshgen/knot_mesh.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
-#include <array>
 #include <numbers>
+#include <span>
 
-#include "meshgen/frames.h"
 #include "scene/check.h"
 #include "scene/error.h"
+#include "scene/presets.h"
 
 namespace lumaknot {
 namespace {
 
-ClosedMesh::Point to_point(const Vec3d& v) { return {v.x, v.y, v.z}; }
-Vec3d to_vec(const ClosedMesh::Point& p) { return {p[0], p[1], p[2]}; }
-
-/// Lengths too far from each other or from 1 leave no digits for the tube: a vertex's normal is
-/// then not a unit vector, or the vertex not on the tube.
-void check_precision(const KnotSpec& knot, double normal, double radius) {
-  if (std::abs(normal - 1) < 1e-9 && std::abs(radius / knot.tube_radius - 1) < 1e-3) return;
-  throw Error(
-      fmt::format("the knot's ring {}, winding {} and tube {} can't be drawn in double "
-                  "precision; bring them nearer to 1",
-                  knot.ring_radius, knot.winding_radius, knot.tube_radius));
-}
-
-void add_ring(ClosedMesh& mesh, const Frame& frame, const KnotSpec& knot) {
-  for (int j = 0; j < knot.sides; ++j) {
-    const double theta = 2 * std::numbers::pi * j / knot.sides;
-    const Vec3d normal = frame.across * std::cos(theta) + frame.over * std::sin(theta);
-    const Vec3d position = frame.position + normal * knot.tube_radius;
-    check_precision(knot, length(normal), length(position - frame.position));
-    mesh.set_normal(mesh.add_vertex(to_point(position)), to_point(normal));
+/// Lengths too far from each other or from 1 leave no digits for the tube: a frame is then not
+/// orthonormal, or a vertex not on the tube.
+void check_precision(const KnotSpec& knot, const Frame& frame) {
+  for (const Vec3d& arm : {frame.across, frame.over}) {
+    const Vec3d position = frame.position + arm * knot.tube_radius;
+    const double radius = length(position - frame.position) / knot.tube_radius;
+    if (std::abs(length(arm) - 1) < 1e-9 && std::abs(radius - 1) < 1e-3) continue;
+    throw Error(
+        fmt::format("the knot's ring {}, winding {} and tube {} can't be drawn in double "
+                    "precision; bring them nearer to 1",
+                    knot.ring_radius, knot.winding_radius, knot.tube_radius));
   }
 }
 
-/// A corner of the grid of quads: ring i of 0 ... segments, side j of 0 ... sides, both ends kept.
-struct Corner {
-  int i, j;
+/// Cosine and sine of the angle of each column, and its texture coordinate.
+struct Column {
+  double c, s, v;
 };
 
-void add_triangle(ClosedMesh& mesh, const KnotSpec& knot, const std::array<Corner, 3>& corners) {
-  const auto vertex = [&](Corner c) {
-    return mesh.vertex_handle(unsigned((c.i % knot.segments) * knot.sides + c.j % knot.sides));
-  };
-  const auto face = mesh.add_face(vertex(corners[0]), vertex(corners[1]), vertex(corners[2]));
-  for (const auto halfedge : mesh.fh_range(face)) {
-    for (const Corner& c : corners) {
-      if (mesh.to_vertex_handle(halfedge) != vertex(c)) continue;
-      mesh.set_texcoord2D(halfedge, {double(knot.repeat_u) * c.i / knot.segments,
-                                     double(knot.repeat_v) * c.j / knot.sides});
+std::vector<Column> columns_of(const KnotSpec& knot, const GridLayout& layout) {
+  std::vector<Column> columns;
+  for (int j = 0; j < layout.columns; ++j) {
+    // The last column is the first to the bit.
+    const double theta = 2 * std::numbers::pi * (j % layout.sides) / layout.sides;
+    columns.push_back({std::cos(theta), std::sin(theta), double(knot.repeat_v) * j / layout.sides});
+  }
+  return columns;
+}
+
+/// Texture coordinate u of each ring.
+std::vector<double> ring_us(const KnotSpec& knot, const Spine& spine) {
+  std::vector<double> us;
+  for (int i = 0; i <= knot.segments; ++i) {
+    const double t = ring_parameter(i, knot.segments);
+    const bool whole = i == knot.segments;
+    const double share = knot.unwrap == Unwrap::kParameter || whole
+                             ? double(i) / knot.segments
+                             : spine.arc_length(t) / spine.length();
+    us.push_back(knot.repeat_u * share);
+  }
+  return us;
+}
+
+/// The rings of one component; vertices from `base` on.
+struct Tube {
+  std::vector<Frame> frames;
+  std::vector<double> us;
+  std::size_t base;
+};
+
+void fill_ring(TriangleMesh& mesh, const Tube& tube, std::span<const Column> columns, int ring,
+               double radius) {
+  const std::size_t segments = tube.frames.size() - 1;  // the last ring is the first to the bit
+  const Frame& frame = tube.frames[std::size_t(ring) % segments];
+  std::size_t at = tube.base + std::size_t(ring) * columns.size();
+  for (const Column& column : columns) {
+    const Vec3d normal = frame.across * column.c + frame.over * column.s;
+    mesh.positions[at] = frame.position + normal * radius;
+    mesh.normals[at] = normal;
+    mesh.uvs[at] = {tube.us[std::size_t(ring)], column.v};
+    ++at;
+  }
+}
+
+/// The two triangles of quad (i, j) with corners a (i, j), b (i + 1, j), c (i + 1, j + 1),
+/// d (i, j + 1).
+using Cut = std::array<Triangle, 2> (*)(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                        std::uint32_t d);
+
+Cut cut_of(Convention convention) {
+  using U = std::uint32_t;
+  using Halves = std::array<Triangle, 2>;
+  switch (convention) {
+    case Convention::kThree:
+      return [](U a, U b, U c, U d) { return Halves{{{a, b, d}, {b, c, d}}}; };
+    case Convention::kBabylon:
+      return [](U a, U b, U c, U d) { return Halves{{{d, b, a}, {d, c, b}}}; };
+    default:
+      return [](U a, U b, U c, U d) { return Halves{{{a, b, c}, {a, c, d}}}; };
+  }
+}
+
+void fill_quads(TriangleMesh& mesh, const GridLayout& layout, Cut cut, std::size_t base,
+                std::size_t first, int ring) {
+  std::size_t at = first + 2 * std::size_t(ring) * std::size_t(layout.sides);
+  const std::uint32_t row = std::uint32_t(base + std::size_t(ring) * std::size_t(layout.columns));
+  const std::uint32_t next = row + std::uint32_t(layout.columns);
+  for (int j = 0; j < layout.sides; ++j) {
+    const std::uint32_t here = std::uint32_t(j), right = std::uint32_t((j + 1) % layout.columns);
+    for (const Triangle& half : cut(row + here, next + here, next + right, row + right)) {
+      mesh.triangles[at++] = half;
     }
   }
+}
+
+TriangleMesh sized(std::size_t vertices, std::size_t triangles) {
+  TriangleMesh mesh;
+  mesh.positions.resize(vertices);
+  mesh.normals.resize(vertices);
+  mesh.uvs.resize(vertices);
+  mesh.triangles.resize(triangles);
+  mesh.quads = true;
+  return mesh;
+}
+
+/// Babylon.js's ComputeNormals(): the unit sum of the unit normals of a vertex's faces, each
+/// duplicate by itself.
+void average_face_normals(TriangleMesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), {});
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3d b = mesh.positions[t[1]];
+    const Vec3d face = normalize(cross(mesh.positions[t[0]] - b, mesh.positions[t[2]] - b));
+    for (const std::uint32_t corner : t) mesh.normals[corner] = mesh.normals[corner] + face;
+  }
+  for (Vec3d& normal : mesh.normals) normal = normalize(normal);
 }
 
 }  // namespace
 
-ClosedMesh knot_mesh(const KnotSpec& knot) {
-  check_knot(knot, "mesh.knot.");
-  ClosedMesh mesh;
-  const std::size_t vertices = std::size_t(knot.segments) * std::size_t(knot.sides);
-  mesh.reserve(vertices, 3 * vertices, 2 * vertices);
-  for (const Frame& frame : closed_frames(knot)) add_ring(mesh, frame, knot);
-  for (int i = 0; i < knot.segments; ++i) {
-    for (int j = 0; j < knot.sides; ++j) {
-      add_triangle(mesh, knot, {{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
-      add_triangle(mesh, knot, {{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
-    }
-  }
-  return mesh;
+GridLayout layout_of(const KnotSpec& knot) {
+  const bool shares_column = knot.convention == Convention::kBabylon;
+  return {knot.segments, knot.sides, shares_column ? knot.sides : knot.sides + 1};
 }
 
-TriangleMesh flat_mesh(const ClosedMesh& mesh) {
-  TriangleMesh flat;
-  flat.triangles.reserve(mesh.n_faces());
-  std::vector<std::vector<std::uint32_t>> copies(mesh.n_vertices());  // of each closed vertex
-  const auto flat_vertex = [&](ClosedMesh::HalfedgeHandle corner) {
-    const auto vertex = mesh.to_vertex_handle(corner);
-    const Vec2d uv{mesh.texcoord2D(corner)[0], mesh.texcoord2D(corner)[1]};
-    auto& known = copies[std::size_t(vertex.idx())];
-    for (const std::uint32_t index : known) {
-      if (flat.uvs[index] == uv) return index;
-    }
-    known.push_back(std::uint32_t(flat.positions.size()));
-    flat.positions.push_back(to_vec(mesh.point(vertex)));
-    flat.normals.push_back(to_vec(mesh.normal(vertex)));
-    flat.uvs.push_back(uv);
-    return known.back();
-  };
-  for (const auto face : mesh.faces()) {
-    // The halfedge before a face's first one points to its first corner, as it was added.
-    const auto last = mesh.prev_halfedge_handle(mesh.halfedge_handle(face));
-    const auto first = mesh.next_halfedge_handle(last), second = mesh.next_halfedge_handle(first);
-    flat.triangles.push_back({flat_vertex(last), flat_vertex(first), flat_vertex(second)});
+std::vector<Curve> centre_lines(const KnotSpec& knot) {
+  if (!has_fixed_winding(knot.convention)) return components(knot);
+  return {{knot.p, knot.q, knot.ring_radius, knot.winding_radius}};
+}
+
+TriangleMesh knot_mesh(const KnotSpec& knot) {
+  check_knot(knot, "mesh.knot.");
+  const GridLayout layout = layout_of(knot);
+  const std::vector<Curve> lines = centre_lines(knot);
+  TriangleMesh mesh = sized(lines.size() * std::size_t(layout.vertices()),
+                            lines.size() * std::size_t(layout.triangles()));
+  const std::vector<Column> columns = columns_of(knot, layout);
+  const Cut cut = cut_of(knot.convention);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const Spine spine(lines[k]);
+    const Tube tube{ring_frames(spine, knot.frames, knot.segments), ring_us(knot, spine),
+                    k * std::size_t(layout.vertices())};
+    for (const Frame& frame : tube.frames) check_precision(knot, frame);
+    const std::size_t first = k * std::size_t(layout.triangles());
+    tbb::parallel_for(tbb::blocked_range<int>(0, knot.segments + 1), [&](const auto& rings) {
+      for (int i = rings.begin(); i < rings.end(); ++i) {
+        fill_ring(mesh, tube, columns, i, knot.tube_radius);
+        if (i < knot.segments) fill_quads(mesh, layout, cut, tube.base, first, i);
+      }
+    });
   }
-  return flat;
+  if (knot.convention == Convention::kBabylon) average_face_normals(mesh);
+  return mesh;
 }
 
 }  // namespace lumaknot

@@ -1,31 +1,39 @@
-/// The knot as a closed surface.
+/// The knot as a flat mesh, the one that every renderer and file format consumes.
 #pragma once
 
-#include <OpenMesh/Core/Mesh/Traits.hh>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
-#include "scene/scene.h"
+#include "meshgen/frames.h"
+#include "scene/triangle_mesh.h"
 
 namespace lumaknot {
 
-struct ClosedMeshTraits : OpenMesh::DefaultTraitsDouble {
-  using TexCoord2D = OpenMesh::Vec2d;  // float32 else
-  VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::TexCoord2D);
+/// How the vertices of one component lie in the arrays: ring by ring, each ring `columns` vertices.
+struct GridLayout {
+  int segments, sides;
+  int columns;  ///< sides + 1; in Babylon.js's meshes, whose last side ends at the first column,
+                ///< sides
+
+  long long vertices() const { return (segments + 1LL) * columns; }
+  long long triangles() const { return 2LL * segments * sides; }
 };
 
-/// A triangle surface with unit vertex normals, and texture coordinates on the halfedge that
-/// points to the corner, so that a seam needs no second vertex.
-using ClosedMesh = OpenMesh::TriMesh_ArrayKernelT<ClosedMeshTraits>;
+GridLayout layout_of(const KnotSpec& knot);
 
-/// The tube along `knot`: segments x sides vertices, twice as many triangles, closed, manifold,
-/// wound counter-clockwise seen from outside. Positions and normals are the exact tube's at the
-/// vertices; u runs 0 ... repeat_u along the knot, v 0 ... repeat_v around the tube. Throws Error
-/// when the lengths leave what double precision can hold.
-ClosedMesh knot_mesh(const KnotSpec& knot);
+/// The centre lines as the convention has them: components(), but three.js and Babylon.js make no
+/// links, they retrace one loop.
+std::vector<Curve> centre_lines(const KnotSpec& knot);
 
-/// `mesh` with one vertex for each pair of position and texture coordinate, in the order of first
-/// use. A segments x sides knot gives (segments + 1) x (sides + 1) vertices.
-TriangleMesh flat_mesh(const ClosedMesh& mesh);
+/// The tubes of the knot's components, one after the other: (segments + 1) x (sides + 1) vertices
+/// each, the first ring and the first vertex of every ring there twice with the texture coordinates
+/// of both ends, and 2 x segments x sides triangles, wound counter-clockwise seen from outside, the
+/// two halves of each quad in turn. Positions and normals are the exact tube's to rounding; u runs
+/// 0 ... repeat_u along, v 0 ... repeat_v around.
+///
+/// Convention kThree has three.js's vertices, normals, texture coordinates and indices. kBabylon
+/// has Babylon.js's: normals averaged from faces, so that a seam shows where the ends meet, and
+/// triangles wound clockwise, as its left-handed world has them.
+///
+/// Works on all cores; nothing but the mesh and its rings' frames is in memory. Throws Error when
+/// the numbers are out of range, leave what double precision can hold, or frames are undefined.
+TriangleMesh knot_mesh(const KnotSpec& knot);
 
 }  // namespace lumaknot

@@ -1,27 +1,74 @@
 #include "meshgen/measure.h"
 
-#include <algorithm>
-
 namespace lumaknot {
+namespace {
 
-long long euler_characteristic(const ClosedMesh& mesh) {
-  return (long long)mesh.n_vertices() - (long long)mesh.n_edges() + (long long)mesh.n_faces();
+constexpr int kUnseen = -1;
+
+/// Numbers every vertex that edges join to `seed` with `piece`.
+void flood(const ClosedMesh& mesh, ClosedMesh::VertexHandle seed, int piece,
+           std::vector<int>& piece_of) {
+  std::vector<ClosedMesh::VertexHandle> waiting{seed};
+  piece_of[std::size_t(seed.idx())] = piece;
+  while (!waiting.empty()) {
+    const auto vertex = waiting.back();
+    waiting.pop_back();
+    for (const auto next : mesh.vv_range(vertex)) {
+      if (piece_of[std::size_t(next.idx())] != kUnseen) continue;
+      piece_of[std::size_t(next.idx())] = piece;
+      waiting.push_back(next);
+    }
+  }
 }
 
-long long genus(const ClosedMesh& mesh) { return (2 - euler_characteristic(mesh)) / 2; }
+struct Corners {
+  ClosedMesh::Point a, b, c;
+};
 
-std::size_t boundary_edges(const ClosedMesh& mesh) {
-  const auto edges = mesh.edges();
-  return std::size_t(
-      std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.is_boundary(); }));
+Corners corners_of(const ClosedMesh& mesh, ClosedMesh::FaceHandle face) {
+  auto corner = mesh.cfv_ccwbegin(face);
+  const auto a = mesh.point(*corner++), b = mesh.point(*corner++);
+  return {a, b, mesh.point(*corner)};
+}
+
+}  // namespace
+
+std::vector<Piece> pieces(const ClosedMesh& mesh) {
+  std::vector<int> piece_of(mesh.n_vertices(), kUnseen);
+  std::vector<Piece> all;
+  for (const auto vertex : mesh.vertices()) {
+    if (piece_of[std::size_t(vertex.idx())] == kUnseen) {
+      flood(mesh, vertex, int(all.size()), piece_of);
+      all.emplace_back();
+    }
+    ++all[std::size_t(piece_of[std::size_t(vertex.idx())])].vertices;
+  }
+  const auto piece_at = [&](ClosedMesh::VertexHandle vertex) -> Piece& {
+    return all[std::size_t(piece_of[std::size_t(vertex.idx())])];
+  };
+  for (const auto edge : mesh.edges()) {
+    Piece& piece = piece_at(edge.v0());
+    ++piece.edges;
+    piece.boundary_edges += edge.is_boundary();
+  }
+  for (const auto face : mesh.faces()) ++piece_at(*mesh.cfv_ccwbegin(face)).faces;
+  return all;
 }
 
 double volume(const ClosedMesh& mesh) {
   double sum = 0;
   for (const auto face : mesh.faces()) {
-    auto corner = mesh.cfv_ccwbegin(face);
-    const auto a = mesh.point(*corner++), b = mesh.point(*corner++), c = mesh.point(*corner);
-    sum += (a | (b % c)) / 6;
+    const Corners t = corners_of(mesh, face);
+    sum += (t.a | (t.b % t.c)) / 6;
+  }
+  return sum;
+}
+
+double area(const ClosedMesh& mesh) {
+  double sum = 0;
+  for (const auto face : mesh.faces()) {
+    const Corners t = corners_of(mesh, face);
+    sum += ((t.b - t.a) % (t.c - t.a)).norm() / 2;
   }
   return sum;
 }

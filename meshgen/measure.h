@@ -1,20 +1,28 @@
 /// What is true of a mesh, whatever made it.
 #pragma once
 
-#include "meshgen/knot_mesh.h"
+#include <vector>
+
+#include "meshgen/closed_mesh.h"
 
 namespace lumaknot {
 
-/// Vertices - edges + faces.
-long long euler_characteristic(const ClosedMesh& mesh);
+/// The counts of one connected piece of a surface.
+struct Piece {
+  long long vertices = 0, edges = 0, faces = 0, boundary_edges = 0;
 
-/// Handles of a closed connected surface: (2 - Euler characteristic) / 2.
-long long genus(const ClosedMesh& mesh);
+  long long euler_characteristic() const { return vertices - edges + faces; }
+  /// Handles, when it is closed: (2 - Euler characteristic) / 2.
+  long long genus() const { return (2 - euler_characteristic()) / 2; }
+};
 
-/// Edges with one face only; none in a closed surface.
-std::size_t boundary_edges(const ClosedMesh& mesh);
+/// The connected pieces of `mesh`, in the order of their first vertices.
+std::vector<Piece> pieces(const ClosedMesh& mesh);
 
 /// Signed volume, positive for an outward surface, by the divergence theorem (cubic scene units).
 double volume(const ClosedMesh& mesh);
+
+/// Surface area, in square scene units.
+double area(const ClosedMesh& mesh);
 
 }  // namespace lumaknot

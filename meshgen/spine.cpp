@@ -1,15 +1,14 @@
 #include "meshgen/spine.h"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace lumaknot {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-using Gauss = boost::math::quadrature::gauss<double, 15>;
 
 /// |C'| by the meridian angle alone.
 double speed_at_meridian(const Curve& curve, double psi) {
@@ -17,35 +16,64 @@ double speed_at_meridian(const Curve& curve, double psi) {
   return std::hypot(curve.winding_radius * curve.q, reach * curve.p);
 }
 
-}  // namespace
-
-PeriodicIntegral::PeriodicIntegral(std::function<double(double)> function)
-    : function_(std::move(function)) {
-  halve(0, kPi, Gauss::integrate(function_, 0.0, kPi), 0);
+/// The unit normal of the torus under the curve.
+Vec3d torus_normal(const Curve& curve, double t) {
+  const double phi = curve.p * t + curve.longitude, psi = curve.q * t + curve.meridian;
+  return {std::cos(psi) * std::cos(phi), std::cos(psi) * std::sin(phi), std::sin(psi)};
 }
 
-void PeriodicIntegral::halve(double from, double to, double whole, int depth) {
-  constexpr int kDeepest = 40;  // a panel of 3e-12 radians
-  const double middle = from + (to - from) / 2;
-  const double left = Gauss::integrate(function_, from, middle);
-  const double right = Gauss::integrate(function_, middle, to);
-  if (depth < kDeepest && std::abs(left + right - whole) > 1e-15 * std::abs(whole)) {
-    halve(from, middle, left, depth + 1);
-    halve(middle, to, right, depth + 1);
+}  // namespace
+
+PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function) {
+  fit(function, 0, kPi, 0);
+}
+
+// The series a_k of the function, k < kDegree, from its values at the Chebyshev points; that of its
+// integral has c_k = (a_(k-1) - a_(k+1)) / (2 k) times half the width.
+void PeriodicIntegral::fit(const std::function<double(double)>& function, double from, double width,
+                           int depth) {
+  constexpr int kDeepest = 20;  // a panel of 3e-6 radians
+  std::array<double, kDegree + 2> a{};
+  for (int i = 0; i < kDegree; ++i) {
+    const double angle = kPi * (i + 0.5) / kDegree;
+    const double value = function(from + width * (std::cos(angle) + 1) / 2);
+    for (int k = 0; k < kDegree; ++k) {
+      a[std::size_t(k)] += value * std::cos(k * angle) * (k == 0 ? 1.0 : 2.0) / kDegree;
+    }
+  }
+  const double tail = std::abs(a[kDegree - 1]) + std::abs(a[kDegree - 2]);
+  // The integral divides these by 2 k: 1e-16 of it is left.
+  // The integral divides these by 2 k: 1e-16 of it is left.
+  if (depth < kDeepest && tail > 4e-15 * std::abs(a[0])) {
+    fit(function, from, width / 2, depth + 1);
+    fit(function, from + width / 2, width / 2, depth + 1);
     return;
   }
-  ends_.push_back(to);
-  sums_.push_back(sums_.back() + left + right);
+  Panel panel{from, width, {}};
+  a[0] *= 2;
+  for (std::size_t k = 1; k <= kDegree; ++k) {
+    panel.c[k] = (a[k - 1] - a[k + 1]) / (2.0 * double(k)) * width / 2;
+    panel.c[0] += k % 2 ? panel.c[k] : -panel.c[k];  // zero at y = -1
+  }
+  panels_.push_back(panel);
+  sums_.push_back(sums_.back() + std::accumulate(panel.c.begin(), panel.c.end(), 0.0));
 }
 
 double PeriodicIntegral::operator()(double x) const {
   const double periods = std::round(x / (2 * kPi));
   const double rest = std::clamp(x - 2 * kPi * periods, -kPi, kPi), size = std::abs(rest);
-  const auto panel = std::ranges::upper_bound(ends_, size) - ends_.begin() - 1;
-  double sum = sums_[std::size_t(panel)];
-  const double from = ends_[std::size_t(panel)];
-  if (size > from) sum += Gauss::integrate(function_, from, size);
-  return 2 * periods * sums_.back() + std::copysign(sum, rest);
+  const auto after = std::ranges::upper_bound(panels_, size, {}, &Panel::from);
+  const std::size_t index = std::size_t(after - panels_.begin()) - 1;
+  const Panel& panel = panels_[index];
+  const double y = 2 * (size - panel.from) / panel.width - 1;
+  double b1 = 0, b2 = 0;  // Clenshaw's sums
+  for (std::size_t k = kDegree; k > 0; --k) {
+    const double b0 = 2 * y * b1 - b2 + panel.c[k];
+    b2 = b1;
+    b1 = b0;
+  }
+  const double part = y * b1 - b2 + panel.c[0];
+  return 2 * periods * sums_.back() + std::copysign(sums_[index] + part, rest);
 }
 
 Spine::Spine(const Curve& curve)
@@ -72,9 +100,7 @@ double Spine::least_twist(double t) const {
 
 Frame Spine::frame(double t) const {
   const CurvePoint point = curve_point(curve_, t);
-  const double phi = curve_.p * t + curve_.longitude, psi = curve_.q * t + curve_.meridian;
-  const Vec3d tangent = normalize(point.first);
-  const Vec3d normal{std::cos(psi) * std::cos(phi), std::cos(psi) * std::sin(phi), std::sin(psi)};
+  const Vec3d tangent = normalize(point.first), normal = torus_normal(curve_, t);
   const Vec3d side = cross(tangent, normal);
   const double alpha = least_twist(t) - holonomy_ * (arc_length(t) / length_);
   const double c = std::cos(alpha), s = std::sin(alpha);

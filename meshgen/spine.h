@@ -1,6 +1,7 @@
 /// A centre line with its arc length and the frame that twists least along it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -14,19 +15,26 @@ struct Frame {
   Vec3d across, over;  ///< span the ring's plane, across at angle 0 of the tube
 };
 
-/// The integral of an even, smooth function of period 2 pi, to a few units in the last place:
-/// panels halved until 15-point Gauss-Legendre sums agree, their sums kept.
+/// The integral of an even, smooth function of period 2 pi, to a few units in the last place of the
+/// integral over a period: a Chebyshev series of degree 16 on each of as many panels as it takes.
 class PeriodicIntegral {
  public:
-  explicit PeriodicIntegral(std::function<double(double)> function);
+  explicit PeriodicIntegral(const std::function<double(double)>& function);
   /// From 0 to `x`, in radians.
   double operator()(double x) const;
 
  private:
-  void halve(double from, double to, double whole, int depth);
+  static constexpr int kDegree = 16;
+  /// The integral from `from` to from + width (y + 1) / 2 is sum c_k T_k(y).
+  struct Panel {
+    double from, width;
+    std::array<double, kDegree + 1> c;
+  };
 
-  std::function<double(double)> function_;
-  std::vector<double> ends_{0}, sums_{0};  // of the panels on [0, pi]
+  void fit(const std::function<double(double)>& function, double from, double width, int depth);
+
+  std::vector<Panel> panels_;    // of [0, pi]
+  std::vector<double> sums_{0};  // the integral up to each panel, and to pi
 };
 
 /// One component's centre line. The rotation-minimising frame stands at the angle

@@ -6,12 +6,13 @@
 #include <numeric>
 
 #include "scene/error.h"
+#include "scene/presets.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr long long kMostVertices = 20'000'000;  // about 8 GB while it is built
-constexpr long long kMostPixels = 1LL << 28;     // 4 GB of RGBA float
+constexpr long long kMostVertices = 100'000'000;  // 9 GB with their triangles
+constexpr long long kMostPixels = 1LL << 28;      // 4 GB of RGBA float
 constexpr long long kMostSamples = 1LL << 34;
 
 // Lengths whose squares are still far from the ends of double precision.
@@ -21,18 +22,43 @@ constexpr double kLeastLength = 1e-100, kMostLength = 1e100;
 struct RangeVisitor {
   std::string prefix;
 
-  std::string label(std::string_view key) const {
-    std::string name(key);
-    if (prefix == "--") std::ranges::replace(name, '_', '-');
-    return prefix + name;
-  }
+  std::string label(std::string_view key) const { return field_label(prefix, key); }
   void integer(std::string_view key, int value, IntRange range, std::string_view) const {
     check_integer(label(key), value, range);
   }
   void number(std::string_view key, double value, Bound bound, std::string_view) const {
     check_number(label(key), value, bound);
   }
+  template <class Enum, class Names>
+  void choice(std::string_view, Enum, const Names&, std::string_view) const {}
 };
+
+/// What three.js and Babylon.js can't have, or have no name for.
+void check_convention(const KnotSpec& knot, const std::string& prefix) {
+  const auto label = [&](std::string_view key) { return field_label(prefix, key); };
+  const std::string_view name = kConventionNames[std::size_t(knot.convention)];
+  const bool babylon = knot.convention == Convention::kBabylon;
+  if (!has_fixed_winding(knot.convention)) return;
+  if (knot.p == 0) {
+    throw Error(fmt::format("{} must not be 0 in convention {}, which {}", label("p"), name,
+                            babylon ? "takes 0 as 2" : "divides by it"));
+  }
+  if (babylon && knot.q == 0) {
+    throw Error(
+        fmt::format("{} must not be 0 in convention {}, which takes 0 as 3", label("q"), name));
+  }
+  if (knot.winding_radius != knot.ring_radius / 2) {
+    throw Error(fmt::format("{} must be half of {} in convention {}, {}, got {}; leave it out",
+                            label("winding"), label("ring"), name, knot.ring_radius / 2,
+                            knot.winding_radius));
+  }
+  if (knot.frames != FrameRule::kThree || knot.unwrap != Unwrap::kParameter) {
+    throw Error(
+        fmt::format("{} and {} must be \"three\" and \"parameter\" in convention {}; leave "
+                    "them out",
+                    label("frames"), label("unwrap"), name));
+  }
+}
 
 void check_camera(const Camera& camera) {
   const auto text = [](const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
@@ -132,15 +158,30 @@ void check_number(const std::string& label, double value, Bound bound) {
   }
 }
 
+std::string field_label(const std::string& prefix, std::string_view key) {
+  std::string name(key);
+  if (prefix == "--") std::ranges::replace(name, '_', '-');
+  return prefix + name;
+}
+
 void check_knot(const KnotSpec& knot, const std::string& prefix) {
   const RangeVisitor ranges{prefix};
   KnotSpec copy = knot;
   visit_fields(ranges, copy);
-  if (std::gcd(knot.p, knot.q) != 1) {
-    throw Error(fmt::format("{} and {} must be coprime for a knot of one piece, got {} and {}",
-                            ranges.label("p"), ranges.label("q"), knot.p, knot.q));
+  if (knot.p == 0 && knot.q == 0) {
+    throw Error(fmt::format("{} and {} must not both be 0; try 2 and 3", ranges.label("p"),
+                            ranges.label("q")));
   }
-  const long long vertices = (knot.segments + 1LL) * (knot.sides + 1LL);
+  check_convention(knot, prefix);
+  if (knot.frames == FrameRule::kThree && knot.p == 0) {
+    throw Error(fmt::format("{} \"three\" needs {} other than 0; use \"rotation-minimizing\"",
+                            ranges.label("frames"), ranges.label("p")));
+  }
+  if (knot.tube_radius >= knot.ring_radius) {
+    throw Error(fmt::format("{} must be < {}, {}, got {}", ranges.label("tube"),
+                            ranges.label("ring"), knot.ring_radius, knot.tube_radius));
+  }
+  const long long vertices = (knot.segments + 1LL) * (knot.sides + 1LL) * std::gcd(knot.p, knot.q);
   if (vertices > kMostVertices) {
     throw Error(fmt::format("{} x {} make {} vertices, more than {}; lower one of them",
                             ranges.label("segments"), ranges.label("sides"), vertices,

@@ -47,19 +47,29 @@ inline constexpr std::array<std::string_view, 3> kGamutNames{"free", "clamp", "c
 inline constexpr std::array<std::string_view, 2> kHighlightNames{"free", "gated"};
 inline constexpr std::array<std::string_view, 2> kRateNames{"pixel", "vertex"};
 
+inline constexpr std::array<std::string_view, 4> kConventionNames{"lumaknot", "three", "babylon",
+                                                                  "blender"};
+inline constexpr std::array<std::string_view, 5> kFrameNames{
+    "rotation-minimizing", "double-reflection", "frenet", "fixed-up", "three"};
+inline constexpr std::array<std::string_view, 2> kUnwrapNames{"parameter", "arc-length"};
+
 inline constexpr std::size_t kMostLights = 16;
 
 template <class V>
 void visit_fields(V& v, KnotSpec& k) {
-  v.integer("p", k.p, {-1000, 1000}, "turns about the axis; coprime to q");
-  v.integer("q", k.q, {-1000, 1000}, "turns through the hole");
+  v.choice("convention", k.convention, kConventionNames,
+           "whose vertices, normals, texture coordinates and defaults");
+  v.integer("p", k.p, {-1000, 1000}, "turns about the axis");
+  v.integer("q", k.q, {-1000, 1000}, "turns through the hole; a link when not coprime to p");
   v.number("ring", k.ring_radius, kPositive, "radius of the ring, axis to tube centre");
   v.number("winding", k.winding_radius, kPositive, "radius of the winding about the ring");
   v.number("tube", k.tube_radius, kPositive, "radius of the tube swept along the knot");
-  v.integer("segments", k.segments, {3, 10'000'000}, "faces along the knot");
+  v.integer("segments", k.segments, {3, 10'000'000}, "faces along each component");
   v.integer("sides", k.sides, {3, 1'000'000}, "faces around the tube");
   v.integer("repeat_u", k.repeat_u, {1, 10'000}, "texture tiles along the knot");
   v.integer("repeat_v", k.repeat_v, {1, 10'000}, "texture tiles around the tube");
+  v.choice("frames", k.frames, kFrameNames, "how the rings turn about the centre line");
+  v.choice("unwrap", k.unwrap, kUnwrapNames, "what texture coordinates along are proportional to");
 }
 
 template <class V>

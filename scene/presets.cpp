@@ -64,7 +64,8 @@ std::string_view full_name(std::string_view name) {
 SceneSpec figure2() {
   SceneSpec scene;
   KnotSpec knot;
-  knot.repeat_u = 12;  // bricks about as long on the tube as they are in the image
+  knot.unwrap = Unwrap::kParameter;  // as the tools of its time
+  knot.repeat_u = 12;                // bricks about as long on the tube as they are in the image
   scene.mesh = knot;
   return scene;
 }
@@ -129,6 +130,30 @@ std::string formula_name(const Material& material) {
     if (m.formula == found) return std::string(m.name);
   }
   return found;
+}
+
+KnotSpec knot_defaults(Convention convention) {
+  KnotSpec knot;
+  knot.convention = convention;
+  const auto sizes = [&](double ring, double winding, double tube, int segments, int sides) {
+    knot.ring_radius = ring;
+    knot.winding_radius = winding;
+    knot.tube_radius = tube;
+    knot.segments = segments;
+    knot.sides = sides;
+  };
+  if (convention == Convention::kThree) sizes(1, 0.5, 0.4, 64, 8);
+  if (convention == Convention::kBabylon) sizes(2, 1, 0.5, 32, 32);
+  if (convention == Convention::kBlender) sizes(1, 0.25, 0.04, 99, 8);
+  if (has_fixed_winding(convention)) {
+    knot.frames = FrameRule::kThree;
+    knot.unwrap = Unwrap::kParameter;
+  }
+  return knot;
+}
+
+bool has_fixed_winding(Convention convention) {
+  return convention == Convention::kThree || convention == Convention::kBabylon;
 }
 
 const std::array<NamedScene, 4>& named_scenes() {

@@ -36,6 +36,13 @@ std::optional<Material> with_formula(const Material& base, std::string_view name
 /// The name of `material`'s formula, a paper material's where there is one, or "custom".
 std::string formula_name(const Material& material);
 
+/// The knot that `convention` makes when no number is given. Theirs: three.js's TorusKnotGeometry,
+/// Babylon.js's CreateTorusKnot, Blender's add-on with its bevel.
+KnotSpec knot_defaults(Convention convention);
+
+/// Whether the winding's radius is half the ring's, whatever that is.
+bool has_fixed_winding(Convention convention);
+
 /// A scene by name.
 struct NamedScene {
   std::string_view name;

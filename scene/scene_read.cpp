@@ -9,6 +9,7 @@
 #include "scene/check.h"
 #include "scene/error.h"
 #include "scene/fields.h"
+#include "scene/presets.h"
 #include "scene/scene_json.h"
 
 namespace lumaknot {
@@ -101,6 +102,10 @@ class Reader {
     visit_fields(inner, value);
     inner.finish();
   }
+  void object(std::string_view key, KnotSpec& value, std::string_view) {
+    const Json* found = find(key);
+    if (found) value = knot(*found, label(key));
+  }
   template <class... Ts>
   void one_of(std::string_view key, std::variant<Ts...>& value, std::string_view) {
     const Json* found = find(key);
@@ -118,6 +123,21 @@ class Reader {
     for (std::size_t i = 0; i < values.size(); ++i) {
       read_one_of((*found)[i], fmt::format("{}[{}]", label(key), i), values[i]);
     }
+  }
+
+  /// A knot: what is left out is as its convention has it.
+  static KnotSpec knot(const Json& json, const std::string& path) {
+    KnotSpec knot;
+    Reader(json, path).choice("convention", knot.convention, kConventionNames, "");
+    knot = knot_defaults(knot.convention);
+    const double winding_share = knot.winding_radius / knot.ring_radius;
+    Reader reader(json, path);
+    visit_fields(reader, knot);
+    reader.finish();
+    if (has_fixed_winding(knot.convention) && !json.contains("winding")) {
+      knot.winding_radius = winding_share * knot.ring_radius;
+    }
+    return knot;
   }
 
   /// Refuses the keys that nobody asked for.
@@ -145,6 +165,7 @@ class Reader {
     }
   }
   std::string label(std::string_view key) const {
+    if (path_ == "--") return field_label(path_, key);
     return path_.empty() ? shown(key) : fmt::format("{}.{}", path_, shown(key));
   }
   const Json* find(std::string_view key) {
@@ -210,6 +231,12 @@ Json parse(std::string_view text, std::string_view source) {
 }
 
 }  // namespace
+
+KnotSpec knot_from_json(const Json& json, const std::string& prefix) {
+  const KnotSpec knot = Reader::knot(json, prefix);
+  check_knot(knot, prefix);
+  return knot;
+}
 
 SceneSpec scene_from_json(std::string_view text, std::string_view source) {
   const Json json = parse(text, source);

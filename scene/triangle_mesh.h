@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "scene/bulk.h"
 #include "scene/vec.h"
 
 namespace lumaknot {
@@ -23,12 +23,12 @@ struct Tangent {
 /// texture seam are duplicated. Counter-clockwise seen from outside. The three arrays have one
 /// length, which every index stays below.
 struct TriangleMesh {
-  std::vector<Vec3d> positions;  ///< scene units
-  std::vector<Vec3d> normals;    ///< unit, outward
-  std::vector<Vec2d> uvs;
-  std::vector<Triangle> triangles;
-  std::vector<Tangent> tangents;  ///< one a vertex, or none at all
-  bool quads = false;             ///< triangles 2k and 2k + 1 are the halves of a quad
+  Bulk<Vec3d> positions;  ///< scene units
+  Bulk<Vec3d> normals;    ///< unit, outward
+  Bulk<Vec2d> uvs;
+  Bulk<Triangle> triangles;
+  Bulk<Tangent> tangents;  ///< one a vertex, or none at all
+  bool quads = false;      ///< triangles 2k and 2k + 1 are the halves of a quad
 };
 
 }  // namespace lumaknot

@@ -1,0 +1,112 @@
+#include "meshgen/certificate.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace lumaknot {
+namespace {
+
+constexpr double kPi = std::numbers::pi, kDegrees = 180 / kPi;
+
+/// The angle between two vectors of any length, in degrees; exact near 0.
+double angle_between(const Vec3d& a, const Vec3d& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b)) * kDegrees;
+}
+
+/// The vertices of one component, ring by ring.
+class Rings {
+ public:
+  Rings(const TriangleMesh& mesh, const GridLayout& layout, std::size_t component)
+      : mesh_(mesh), layout_(layout), base_(component * std::size_t(layout.vertices())) {}
+
+  const Vec3d& position(int i, int j) const { return mesh_.positions[index(i, j)]; }
+  double u(int i) const { return mesh_.uvs[index(i, 0)].u; }
+
+  /// The area vector of ring i's polygon, across its plane (Newell).
+  Vec3d plane(int i) const {
+    Vec3d sum;
+    const Vec3d& from = position(i, 0);
+    for (int j = 1; j + 1 < layout_.sides; ++j) {
+      sum = sum + cross(position(i, j) - from, position(i, j + 1) - from);
+    }
+    return sum;
+  }
+
+ private:
+  std::size_t index(int i, int j) const {
+    return base_ + std::size_t(i) * std::size_t(layout_.columns) + std::size_t(j % layout_.columns);
+  }
+  const TriangleMesh& mesh_;
+  GridLayout layout_;
+  std::size_t base_;
+};
+
+double ring_tilt(const Rings& rings, const Curve& line, int segments) {
+  double most = 0;
+  for (int i = 0; i < segments; ++i) {
+    const Vec3d tangent = curve_point(line, ring_parameter(i, segments)).first;
+    const Vec3d plane = rings.plane(i);
+    most = std::max(most, angle_between(dot(plane, tangent) < 0 ? -plane : plane, tangent));
+  }
+  return most;
+}
+
+void widen(Range& range, double value) {
+  range.least = std::min(range.least, value);
+  range.most = std::max(range.most, value);
+}
+
+Stretch stretch_of(const Rings& rings, const Spine& spine, const KnotSpec& knot) {
+  constexpr Range kNone{std::numeric_limits<double>::max(), 0};
+  Stretch stretch{kNone, kNone, kNone};
+  const double tile = spine.length() / knot.repeat_u;  // along, on average
+  const double share = 2 * kPi * knot.tube_radius / knot.sides;
+  for (int i = 0; i < knot.segments; ++i) {
+    const double step = (rings.u(i + 1) - rings.u(i)) * tile;
+    const double from = spine.arc_length(ring_parameter(i, knot.segments));
+    const double to = spine.arc_length(ring_parameter(i + 1, knot.segments));
+    widen(stretch.along, (to - from) / step);
+    for (int j = 0; j < knot.sides; ++j) {
+      widen(stretch.surface, length(rings.position(i + 1, j) - rings.position(i, j)) / step);
+      widen(stretch.around, length(rings.position(i, j + 1) - rings.position(i, j)) / share);
+    }
+  }
+  return stretch;
+}
+
+void measure_closed(Certificate& result, const KnotSpec& knot, const TriangleMesh& mesh) {
+  const ClosedMesh closed = closed_mesh(knot, mesh);
+  result.pieces = pieces(closed);
+  result.volume = volume(closed);
+  result.area = area(closed);
+}
+
+}  // namespace
+
+Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
+  Certificate result;
+  measure_closed(result, knot, mesh);
+  result.file_vertices = mesh.positions.size();
+  const std::vector<Curve> lines = centre_lines(knot);
+  const Spine spine(lines.front());
+  result.length = double(lines.size()) * spine.length();
+  result.exact_volume = kPi * knot.tube_radius * knot.tube_radius * result.length;
+  result.exact_area = 2 * kPi * knot.tube_radius * result.length;
+  result.holonomy = spine.holonomy() * kDegrees;
+  const std::vector<Frame> frames = ring_frames(spine, knot.frames, knot.segments);
+  result.twist = twist(frames) * kDegrees;
+  result.closing_error = angle_between(frames.front().across, frames.back().across);
+  const GridLayout layout = layout_of(knot);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const double tilt = ring_tilt(Rings(mesh, layout, k), lines[k], knot.segments);
+    result.ring_tilt = std::max(result.ring_tilt, tilt);
+  }
+  result.stretch = stretch_of(Rings(mesh, layout, 0), spine, knot);
+  result.clearance = clearance(components(knot));
+  const TubeSurface surface(spine, knot.tube_radius);
+  result.measured = measured_deviation(surface, knot.segments, knot.sides);
+  result.bound = deviation_bound(surface, knot.segments, knot.sides);
+  return result;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,58 @@
+/// Arrays of millions of plain values.
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace lumaknot {
+
+/// Leaves values that are given nothing as the memory has them, and asks the kernel for huge pages
+/// where the array fills some: the first write to a fresh page costs more than all else that is
+/// done to a mesh.
+template <class T>
+struct BulkAllocator {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+  using value_type = T;
+
+  BulkAllocator() = default;
+  template <class U>
+  BulkAllocator(const BulkAllocator<U>&) {}  // NOLINT: converts as allocators do
+
+  T* allocate(std::size_t count) {
+    constexpr std::size_t kHugePage = std::size_t(1) << 21;
+    if (count > std::size_t(-1) / 2 / sizeof(T)) throw std::bad_alloc();
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes < 2 * kHugePage) return static_cast<T*>(::operator new(bytes));
+    const std::size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
+    void* memory = std::aligned_alloc(kHugePage, whole);
+    if (!memory) throw std::bad_alloc();
+    ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);  // a wish, no more
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t count) {
+    constexpr std::size_t kHugePage = std::size_t(1) << 21;
+    if (count * sizeof(T) < 2 * kHugePage) {
+      ::operator delete(memory);
+    } else {
+      std::free(memory);
+    }
+  }
+  template <class U, class... Args>
+  void construct(U* at, Args&&... args) {
+    if constexpr (sizeof...(Args) > 0)
+      ::new (static_cast<void*>(at)) U{std::forward<Args>(args)...};
+  }
+  friend bool operator==(const BulkAllocator&, const BulkAllocator&) { return true; }
+};
+
+/// A vector whose resize() writes nothing: every new element must be given a value before it is
+/// read.
+template <class T>
+using Bulk = std::vector<T, BulkAllocator<T>>;
+
+}  // namespace lumaknot
