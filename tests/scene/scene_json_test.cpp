@@ -170,8 +170,9 @@ TEST(SceneJson, every_field_of_an_unusual_image_comes_back) {
 
 TEST(SceneJson, fields_are_written_under_their_published_keys) {
   const Json json = Json::parse(scene_to_json(unusual_scene()));
-  EXPECT_EQ(json["mesh"], Json::parse(R"({"knot": {"p": -5, "q": 7, "ring": 2.5, "winding": 0.75,
-      "tube": 0.125, "segments": 301, "sides": 17, "repeat_u": 11, "repeat_v": 3}})"));
+  EXPECT_EQ(json["mesh"], Json::parse(R"({"knot": {"convention": "blender", "p": -5, "q": 7,
+      "ring": 2.5, "winding": 0.75, "tube": 0.125, "segments": 301, "sides": 17, "repeat_u": 11,
+      "repeat_v": 3, "frames": "frenet", "unwrap": "parameter"}})"));
   EXPECT_EQ(json["texture"], Json::parse(R"({"color": [0.25, 0.5, 1.0]})"));
   EXPECT_EQ(json["camera"], Json::parse(R"({"position": [1.5, -6.25, 3.75],
       "target": [0.1, 0.2, 0.3], "up": [0.4, 0.6, 0.8], "fov_degrees": 33.3})"));
