@@ -3,9 +3,8 @@
 // - Where no curvature exceeds k, points with an arc s <= pi / k between them are at least
 //   (2 / k) sin(k s / 2) apart (Schur's comparison theorem, Chern: Curves and Surfaces in Euclidean
 //   Space, 1967).
-// - For s < pi / k their chord is perpendicular to neither tangent, as tangents turn by at most k
-// s:
-//   chord . T >= sin(k s) / k > 0. Such pairs are left out.
+// - For s < pi / k their chord is perpendicular to neither tangent, as tangents turn by at most k s
+//   and so chord . T >= sin(k s) / k > 0. Such pairs are left out.
 // - For s = pi / k they are 2 / k apart, where curvature sets the limit already. So a smaller
 //   distance that is the least of the other pairs is not on their border, but critical.
 // Turns about the axis by 2 pi / |q| carry each component into itself. Half a turn about a line
@@ -113,9 +112,9 @@ Reach reach_of(const PairedLink& link, const Cell& cell) {
   return {w * apart * psi, derivative(1), derivative(2), derivative(3)};
 }
 
-/// No pair of the cell is closer. Taylor's theorem bounds what the quadratic model misses; and
-/// points of one circle, brought into one half plane of the axis, are no farther apart than they
-/// were.
+/// No pair of the cell is closer. Taylor's theorem bounds what the quadratic model misses. And
+/// turned into one half plane of the axis the points are no farther apart; there they lie on one
+/// circle, unless that crosses the axis.
 double least_distance(const PairedLink& link, const Cell& cell, const Reach& reach, double chord,
                       double least_half_square) {
   const double third = 3 * reach.first * reach.second + (chord + reach.first) * reach.third;
@@ -127,6 +126,7 @@ double least_distance(const PairedLink& link, const Cell& cell, const Reach& rea
   return std::max(curved, 2 * curve.winding_radius * std::sin(std::max(angle, 0.0) / 2));
 }
 
+/// The cell with all its bounds.
 Cell cell_of(const PairedLink& link, int component, const Range& psi, const Range& shift) {
   Cell cell{component, psi, shift};
   const Quadratic model = half_square(link, cell);
