@@ -31,7 +31,8 @@ class PeriodicIntegral {
     std::array<double, kDegree + 1> c;
   };
 
-  void fit(const std::function<double(double)>& function, double from, double width, int depth);
+  void fit(const std::function<double(double)>& function, double from, double width,
+           double tolerance, int depth);
 
   std::vector<Panel> panels_;    // of [0, pi]
   std::vector<double> sums_{0};  // the integral up to each panel, and to pi
