@@ -20,7 +20,8 @@ struct Deviation {
 /// The deviation of the grid whose vertex (i, j) is X(ring_parameter(i, segments), 2 pi j / sides),
 /// segments and sides >= 3, quads cut from (i, j) to (i + 1, j + 1). Every triangle is evaluated
 /// where a quadratic surface would be worst, and the 32 worst are maximised from there on. Never
-/// above the truth, and below it by 1e-6 of it and by the rounding of the vertices, some 1e-15 of
+/// above the truth, and below it by 1e-6 of it at most (2e-8 where measured against 1,500 triangles
+/// maximised to the end), besides the rounding of the vertices, some 1e-15 of
 /// the curve's extent; by more only where steps are so coarse (about a radian) that a triangle has
 /// several worst places. Where the tube is thicker than the curve's radius of curvature, its own
 /// points are nearer to the curve than r, and the chord says by how much.
@@ -36,7 +37,9 @@ double measured_chord(const TubeSurface& surface, int segments, int sides);
 
 /// An upper bound of measured_deviation() from the derivatives alone, without the triangles, after
 /// Filip, Magedson, Markot: Surface algorithms using bounds on derivatives, 1986. It holds of tubes
-/// that do not touch themselves. The angle is 180 degrees where the steps are too coarse for it.
+/// that do not touch themselves. Over fifty (p,q) at 768 x 40 the chord's bound is at most 1.4
+/// times what is measured, the angle's 2.7 times; both come down to it as the steps do. Steps of a
+/// radian make it useless: the chord's is then the extent, and the angle's 180 degrees.
 Deviation deviation_bound(const TubeSurface& surface, int segments, int sides);
 
 }  // namespace lumaknot
