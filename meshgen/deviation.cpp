@@ -33,7 +33,11 @@ GridScan scan_all(const TubeGrid& grid, bool with_normals) {
     return a;
   };
   const std::size_t grain = std::size_t(std::max(16, 4096 / grid.sides));
-  return oneapi::tbb::parallel_deterministic_reduce(Strips(0, grid.segments, grain),
+  // A circle's strips are alike, and would fill the list of the worst with copies of one triangle.
+  const Curve& curve = grid.surface.spine().curve();
+  const bool alike = grid.positions.empty() && (curve.p == 0 || curve.q == 0);
+  const int strips = alike ? 1 : grid.segments;
+  return oneapi::tbb::parallel_deterministic_reduce(Strips(0, strips, grain),
                                                     GridScan(with_normals), block, join);
 }
 

@@ -21,18 +21,19 @@ struct Deviation {
 /// segments and sides >= 3, quads cut from (i, j) to (i + 1, j + 1). Every triangle is evaluated
 /// where a quadratic surface would be worst, and the 32 worst are maximised from there on. Never
 /// above the truth, and below it by 1e-6 of it at most (2e-8 where measured against 1,500 triangles
-/// maximised to the end), besides the rounding of the vertices, some 1e-15 of
-/// the curve's extent; by more only where steps are so coarse (about a radian) that a triangle has
-/// several worst places. Where the tube is thicker than the curve's radius of curvature, its own
-/// points are nearer to the curve than r, and the chord says by how much.
+/// maximised to the end), besides the rounding of the vertices, some 1e-15 of the curve's extent.
+/// By more only where steps are so coarse (half a radian: 1e-4) that a triangle has several worst
+/// places. Where the tube is thicker than the curve's radius of curvature, its own points are
+/// nearer to the curve than r, and the chord says by how much.
 Deviation measured_deviation(const TubeSurface& surface, int segments, int sides);
 
 /// The same of given vertices, (segments + 1) x (sides + 1) row by row, both seams doubled, which
-/// need not lie on the tube; normals of any length but zero. Throws Error when the counts differ.
+/// need not lie on the tube; normals of any length but zero. A circle's many equal strips can hide
+/// 1e-4 of the angle from the list of the worst. Throws Error when the counts differ.
 Deviation measured_deviation(const TubeSurface& surface, int segments, int sides,
                              std::span<const Vec3d> positions, std::span<const Vec3d> normals);
 
-/// The chord alone, in a third of the time.
+/// The chord alone, in some three quarters of the time.
 double measured_chord(const TubeSurface& surface, int segments, int sides);
 
 /// An upper bound of measured_deviation() from the derivatives alone, without the triangles, after
