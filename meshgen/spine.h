@@ -53,8 +53,8 @@ class Spine {
   /// The arc length from 0 to t, in scene units; t in radians, also beyond one loop.
   double arc_length(double t) const;
 
-  /// The angle in [-pi, pi], about the tangent, by which the rotation-minimising frame misses itself
-  /// after one loop.
+  /// The angle in [-pi, pi], about the tangent, by which the rotation-minimising frame misses
+  /// itself after one loop.
   double holonomy() const { return holonomy_; }
 
   /// The closed frame at t, its error some 1e-15 radians a turn.
