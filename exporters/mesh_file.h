@@ -22,10 +22,14 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
 void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions& options,
                        std::string_view flag);
 
-/// The triangles of a mesh file (.obj .ply .off .stl); polygons are cut into triangles, missing
-/// normals are made smooth, one vertex is kept for each set of equal attributes. With
-/// `needs_uvs`, a mesh without texture coordinates is refused; else they are zero.
-/// Throws Error calling the file `label`.
+/// The triangles of a mesh file: .obj, .ply, .stl, .off, .om (OpenMesh's), .pov and .inc (POV-Ray's
+/// mesh2 in plain numbers). Numbers are read as double, so that float32 in its shortest digits
+/// comes back as it was. Polygons are cut into triangles, concave ones too; missing and zero
+/// normals are made smooth; one vertex is kept for each set of equal attributes. With `needs_uvs`,
+/// a mesh without texture coordinates is refused; else they are zero. Throws Error calling the file
+/// `label`, with the line or byte, for a file that is cut short or no such file, counts more than
+/// it can hold, holds numbers beyond float32 or indices beyond its arrays, or is no surface: an
+/// edge that more than two faces share or two use in the same direction.
 TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::string_view label);
 
 }  // namespace lumaknot

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "scene/error.h"
 
@@ -66,7 +66,19 @@ std::string read_file(const fs::path& path, std::string_view label) {
     throw Error(fmt::format("{} can't be read: {} ({})", label, path.string(),
                             errno ? std::strerror(errno) : "it is a folder"));
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  // Devices and pipes tell no size, so read on until there is no more.
+  const std::uintmax_t told = fs::file_size(path, ignored);
+  std::string bytes(ignored ? 0 : std::size_t(told), '\0');
+  std::size_t size = 0;
+  while (stream) {
+    constexpr std::size_t kStep = 1 << 16;
+    if (size == bytes.size()) bytes.resize(size + std::max(kStep, size));
+    stream.read(bytes.data() + size, std::streamsize(bytes.size() - size));
+    size += std::size_t(stream.gcount());
+    if (size == told && stream.peek() == std::ifstream::traits_type::eof()) break;
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace lumaknot

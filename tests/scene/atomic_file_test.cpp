@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "tests/scene/error_of.h"
 
@@ -155,6 +157,23 @@ TEST_F(AtomicFileTest, a_failed_rename_is_an_error_and_the_temporary_goes) {
   EXPECT_THAT(message, HasSubstr("--output"));
   EXPECT_EQ(entries(), 1u);
   EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
+}
+
+TEST_F(AtomicFileTest, a_file_of_any_size_is_read_whole) {
+  for (const std::size_t size : {1u, 65535u, 65536u, 65537u, 1'000'000u}) {
+    std::string bytes(size, 'x');
+    bytes.back() = 'y';
+    write_file(folder / "a", bytes, "--output");
+    EXPECT_EQ(read_file(folder / "a", "input"), bytes) << size;
+  }
+}
+
+TEST_F(AtomicFileTest, a_pipe_which_tells_no_size_is_read_whole) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string bytes(200'000, 'x');
+  std::thread writer([&] { std::ofstream(folder / "pipe") << bytes; });
+  EXPECT_EQ(read_file(folder / "pipe", "input"), bytes);
+  writer.join();
 }
 
 TEST_F(AtomicFileTest, reading_a_missing_file_or_a_folder_names_the_label_and_the_path) {
