@@ -23,9 +23,9 @@ struct Member;
 /// What a value must be.
 struct Shape {
   Kind kind = Kind::kObject;
-  std::span<const Member> members;  ///< of an object; others are left out
-  const Shape* item = nullptr;      ///< of a list
-  std::size_t count = 0;            ///< of a list's items; 0: any
+  std::span<const Member> members = {};  ///< of an object; others are left out
+  const Shape* item = nullptr;           ///< of a list
+  std::size_t count = 0;                 ///< of a list's items; 0: any
 };
 
 struct Member {
@@ -39,7 +39,7 @@ constexpr Shape kBoolean{.kind = Kind::kBoolean}, kText{.kind = Kind::kText};
 constexpr Shape kNumber{.kind = Kind::kNumber}, kRefused{.kind = Kind::kRefused};
 
 constexpr Shape list_of(const Shape& item, std::size_t count = 0) {
-  return {.kind = Kind::kList, .members = {}, .item = &item, .count = count};
+  return {.kind = Kind::kList, .item = &item, .count = count};
 }
 constexpr Shape object_of(std::span<const Member> members) {
   return {.kind = Kind::kObject, .members = members};

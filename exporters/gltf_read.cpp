@@ -19,7 +19,7 @@ constexpr std::uint64_t kMostVertices = 20'000'000, kMostTriangles = 40'000'000;
 struct Part {
   std::string place;  ///< meshes[0].primitives[1]
   int mode = TINYGLTF_MODE_TRIANGLES;
-  GltfElements positions, normals, uvs, indices;  ///< count 0: it has none
+  GltfElements positions = {}, normals = {}, uvs = {}, indices = {};  ///< count 0: it has none
 
   std::size_t corners() const { return indices.count > 0 ? indices.count : positions.count; }
   std::size_t triangles() const {
