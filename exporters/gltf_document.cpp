@@ -35,28 +35,30 @@ using Row3 = std::array<float, 3>;
 
 Row3 to_row(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
-/// The least and the greatest of the coordinates as the file has them.
+/// The least and the greatest coordinates. Rounding to float32 keeps them in order, so these are
+/// also those of the file.
 struct Bounds {
-  Row3 least, greatest;
+  Vec3d least, greatest;
 };
 
 Bounds bounds_of(const std::vector<Vec3d>& positions) {
-  constexpr float kMost = std::numeric_limits<float>::max();
-  Bounds bounds{{kMost, kMost, kMost}, {-kMost, -kMost, -kMost}};
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Row3 row = to_row(positions[i]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (!std::isfinite(row[c])) {
-        throw Error(
-            fmt::format("vertex {} lies beyond the float32 that glTF holds, at [{}, {}, "
-                        "{}]; make the mesh smaller",
-                        i, positions[i].x, positions[i].y, positions[i].z));
-      }
-      bounds.least[c] = std::min(bounds.least[c], row[c]);
-      bounds.greatest[c] = std::max(bounds.greatest[c], row[c]);
-    }
+  Bounds bounds{positions[0], positions[0]};
+  for (const Vec3d& p : positions) {
+    bounds.least = {std::min(bounds.least.x, p.x), std::min(bounds.least.y, p.y),
+                    std::min(bounds.least.z, p.z)};
+    bounds.greatest = {std::max(bounds.greatest.x, p.x), std::max(bounds.greatest.y, p.y),
+                       std::max(bounds.greatest.z, p.z)};
   }
   return bounds;
+}
+
+Row3 checked_row(const Vec3d& bound) {
+  const Row3 row = to_row(bound);
+  if (std::ranges::all_of(row, [](float c) { return std::isfinite(c); })) return row;
+  throw Error(
+      fmt::format("the mesh reaches [{}, {}, {}], beyond the float32 that glTF holds; make "
+                  "it smaller",
+                  bound.x, bound.y, bound.z));
 }
 
 /// Writes row(0), row(1), ... of `rows` rows, some thousand at a time.
@@ -126,8 +128,8 @@ GltfDocument::GltfDocument(const TriangleMesh& mesh)
   const Bounds bounds = bounds_of(mesh.positions);
   const std::size_t vertices = mesh.positions.size();
   const std::size_t positions = add_array(vertices, kFloat, "VEC3", 12, kArrayBuffer);
-  json["accessors"][positions]["min"] = bounds.least;
-  json["accessors"][positions]["max"] = bounds.greatest;
+  json["accessors"][positions]["min"] = checked_row(bounds.least);
+  json["accessors"][positions]["max"] = checked_row(bounds.greatest);
   Json attributes{{"POSITION", positions}};
   attributes["NORMAL"] = add_array(vertices, kFloat, "VEC3", 12, kArrayBuffer);
   attributes["TEXCOORD_0"] = add_array(vertices, kFloat, "VEC2", 8, kArrayBuffer);

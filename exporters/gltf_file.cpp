@@ -7,6 +7,7 @@
 #include <charconv>
 #include <limits>
 
+#include "exporters/gltf_container.h"
 #include "exporters/gltf_elements.h"
 #include "exporters/gltf_outline.h"
 #include "scene/atomic_file.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
@@ -88,59 +87,137 @@ constexpr Shape kRoot = object_of(kRootMembers);
 constexpr std::uint64_t kMostIndex = std::numeric_limits<int>::max();
 constexpr std::uint64_t kMostSize = std::uint64_t(1) << 40;
 
-/// Whether any shape has a member called `key`.
-bool is_read(const Shape& shape, std::string_view key) {
-  if (shape.item) return is_read(*shape.item, key);
-  return std::ranges::any_of(shape.members, [&](const Member& member) {
-    return member.key == key || is_read(*member.shape, key);
-  });
-}
-
-/// Leaves out what a value of its shape does not have, and refuses what it must not be.
-class Pruner {
+/// Builds of a text what its shape has, and skips all else, however deep. (nlohmann's filter takes
+/// quadratic time in the length of lists.)
+class OutlineBuilder : public nlohmann::json_sax<Json> {
  public:
-  explicit Pruner(std::string_view name) : name_(name) {}
+  explicit OutlineBuilder(std::string_view name) : name_(name) {}
 
-  Json pruned(Json&& value, const Shape& shape, const std::string& path) const {
-    if (shape.kind == Kind::kObject) return object(std::move(value), shape, path);
-    if (shape.kind == Kind::kList) return list(std::move(value), shape, path);
-    if (shape.kind == Kind::kRefused) {
-      fail_gltf(name_, path, "is not read; export without sparse accessors");
-    }
-    check_plain(value, shape.kind, path);
-    return std::move(value);
+  Json take() { return std::move(root_); }
+
+  bool null() override { return scalar(nullptr); }
+  bool boolean(bool value) override { return scalar(value); }
+  bool number_integer(std::int64_t value) override { return scalar(value); }
+  bool number_unsigned(std::uint64_t value) override { return scalar(value); }
+  bool number_float(double value, const std::string&) override { return scalar(value); }
+  bool string(std::string& value) override { return scalar(std::move(value)); }
+  bool binary(Json::binary_t&) override { return scalar(nullptr); }
+  bool start_object(std::size_t) override { return open(Json::object(), Kind::kObject); }
+  bool start_array(std::size_t) override { return open(Json::array(), Kind::kList); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& key) override {
+    if (skipped_levels_ > 0) return true;
+    key_ = std::move(key);
+    const auto& members = open_.back().shape->members;
+    const auto found = std::ranges::find(members, key_, &Member::key);
+    next_ = found == members.end() ? nullptr : found->shape;
+    return true;
+  }
+
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception&) override {
+    fail_gltf(name_, fmt::format("byte {} of the text", byte),
+              "is not JSON; is it a glTF file, whole?");
   }
 
  private:
-  Json object(Json&& value, const Shape& shape, const std::string& path) const {
-    if (!value.is_object()) fail_gltf(name_, path, "must be an object");
-    Json kept = Json::object();
-    for (const auto& [key, member, required] : shape.members) {
-      const std::string member_path =
-          path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
-      const auto found = value.find(key);
-      if (found != value.end()) {
-        kept[std::string(key)] = pruned(std::move(*found), *member, member_path);
-      } else if (required) {
-        fail_gltf(name_, member_path, "is missing; export the file again");
-      }
-    }
-    return kept;
+  struct Level {
+    Json* value;
+    const Shape* shape;
+  };
+
+  bool scalar(Json value) {
+    if (skipped_levels_ == 0 && shape_here()) place(std::move(value));
+    return true;
   }
 
-  Json list(Json&& value, const Shape& shape, const std::string& path) const {
+  /// Begins an object or a list. Where there should be something else it stays empty.
+  bool open(Json empty, Kind kind) {
+    const Shape* shape = skipped_levels_ == 0 ? shape_here() : nullptr;
+    Json* value = shape ? place(std::move(empty)) : nullptr;
+    if (shape && shape->kind == kind) {
+      open_.push_back({value, shape});
+    } else {
+      ++skipped_levels_;
+    }
+    return true;
+  }
+
+  bool close() {
+    if (skipped_levels_ > 0) {
+      --skipped_levels_;
+    } else {
+      open_.pop_back();
+    }
+    return true;
+  }
+
+  /// What the next value must be; nullptr: it is not read.
+  const Shape* shape_here() const {
+    if (open_.empty()) return &kRoot;
+    const Shape* outer = open_.back().shape;
+    return outer->item ? outer->item : next_;
+  }
+
+  Json* place(Json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    Json& outer = *open_.back().value;
+    if (outer.is_object()) return &(outer[key_] = std::move(value));
+    outer.push_back(std::move(value));
+    return &outer.back();
+  }
+
+  std::string_view name_;
+  Json root_;
+  std::vector<Level> open_;
+  std::size_t skipped_levels_ = 0;
+  std::string key_;
+  const Shape* next_ = nullptr;
+};
+
+/// Refuses what is not of its shape.
+class ShapeCheck {
+ public:
+  explicit ShapeCheck(std::string_view name) : name_(name) {}
+
+  void check(const Json& value, const Shape& shape, const std::string& path) const {
+    if (shape.kind == Kind::kRefused) {
+      fail_gltf(name_, path, "is not read; export without sparse accessors");
+    }
+    if (shape.kind == Kind::kObject) {
+      check_object(value, shape, path);
+    } else if (shape.kind == Kind::kList) {
+      check_list(value, shape, path);
+    } else {
+      check_scalar(value, shape.kind, path);
+    }
+  }
+
+ private:
+  void check_object(const Json& value, const Shape& shape, const std::string& path) const {
+    if (!value.is_object()) fail_gltf(name_, path, "must be an object");
+    for (const auto& [key, member, required] : shape.members) {
+      const auto found = value.find(key);
+      if (found == value.end() && !required) continue;
+      const std::string place = path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+      if (found == value.end()) fail_gltf(name_, place, "is missing; export the file again");
+      check(*found, *member, place);
+    }
+  }
+
+  void check_list(const Json& value, const Shape& shape, const std::string& path) const {
     if (!value.is_array() || (shape.count > 0 && value.size() != shape.count)) {
       fail_gltf(
           name_, path,
           shape.count > 0 ? fmt::format("must be {} numbers", shape.count) : "must be a list");
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-      value[i] = pruned(std::move(value[i]), *shape.item, fmt::format("{}[{}]", path, i));
+      check(value[i], *shape.item, fmt::format("{}[{}]", path, i));
     }
-    return std::move(value);
   }
 
-  void check_plain(const Json& value, Kind kind, const std::string& path) const {
+  void check_scalar(const Json& value, Kind kind, const std::string& path) const {
     const auto is_integer_to = [&](std::uint64_t most) {
       return value.is_number_unsigned() && value.get<std::uint64_t>() <= most;
     };
@@ -159,36 +236,6 @@ class Pruner {
   std::string_view name_;
 };
 
-/// The 4 bytes at `at` as an unsigned integer.
-std::uint32_t word(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes.data() + at, sizeof(value));
-  return value;
-}
-
-/// A chunk's type and what it holds.
-struct Chunk {
-  std::uint32_t type = 0;
-  std::string_view content;
-};
-
-/// The chunk whose header begins at byte `at`.
-Chunk chunk_at(std::string_view bytes, std::size_t at, std::string_view name) {
-  constexpr std::size_t kHeader = 8;
-  const auto place = fmt::format("byte {}", at);
-  if (bytes.size() - at < kHeader) {
-    fail_gltf(name, place, "begins a chunk whose header is cut short; export it again");
-  }
-  const std::uint64_t length = word(bytes, at), left = bytes.size() - at - kHeader;
-  if (length > left) {
-    fail_gltf(name, place,
-              fmt::format("begins a chunk of {} bytes, of which {} are there; the "
-                          "file is cut short",
-                          length, left));
-  }
-  return {word(bytes, at + 4), bytes.substr(at + kHeader, length)};
-}
-
 }  // namespace
 
 void fail_gltf(std::string_view name, std::string_view place, std::string_view problem) {
@@ -200,45 +247,12 @@ std::string quoted_gltf(std::string_view text) {
   return Json(text.substr(0, kMost)).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-GltfChunks gltf_chunks(std::string_view bytes, std::string_view name) {
-  constexpr std::uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
-  constexpr std::size_t kHeader = 12;
-  if (!bytes.starts_with("glTF")) return {bytes, {}};
-  if (bytes.size() < kHeader) {
-    fail_gltf(name, "byte 4", "ends the file within its header; export it again");
-  }
-  if (word(bytes, 4) != 2) {
-    fail_gltf(name, "byte 4",
-              fmt::format("has version {} of glTF, not 2; export it as glTF 2.0", word(bytes, 4)));
-  }
-  if (word(bytes, 8) != bytes.size()) {
-    fail_gltf(name, "byte 8",
-              fmt::format("tells of {} bytes, but the file has {}; copy it again", word(bytes, 8),
-                          bytes.size()));
-  }
-  const Chunk json = chunk_at(bytes, kHeader, name);
-  if (json.type != kJson) {
-    fail_gltf(name, "byte 16", "must begin with a JSON chunk; export it again");
-  }
-  const std::size_t end = kHeader + 8 + json.content.size();
-  if (end == bytes.size()) return {json.content, {}};
-  const Chunk binary = chunk_at(bytes, end, name);
-  return {json.content, binary.type == kBinary ? binary.content : std::string_view()};
-}
-
 Json gltf_outline(std::string_view json, std::string_view name) {
-  const auto keep = [](int, Json::parse_event_t event, Json& value) {
-    return event != Json::parse_event_t::key || is_read(kRoot, value.get_ref<const std::string&>());
-  };
-  try {
-    return Pruner(name).pruned(Json::parse(json, keep), kRoot, "");
-  } catch (const Json::parse_error& e) {
-    fail_gltf(name, fmt::format("byte {} of the text", e.byte),
-              "is not JSON; is it a glTF file, whole?");
-  } catch (const Json::exception& e) {  // a number beyond double
-    const std::string_view what = e.what();
-    fail_gltf(name, "the text", fmt::format("is not JSON: {}", what.substr(what.find(']') + 2)));
-  }
+  OutlineBuilder builder(name);
+  Json::sax_parse(json, &builder);
+  Json outline = builder.take();
+  ShapeCheck(name).check(outline, kRoot, "");
+  return outline;
 }
 
 }  // namespace lumaknot

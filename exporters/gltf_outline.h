@@ -18,15 +18,6 @@ namespace lumaknot {
 /// What a text of the file is, as a message quotes it: short, one line, nothing but ASCII.
 std::string quoted_gltf(std::string_view text);
 
-/// The JSON and the binary chunk of a file; the latter is empty where there is none.
-struct GltfChunks {
-  std::string_view json, binary;
-};
-
-/// The chunks of a .glb file, each within `bytes`; or, of a .gltf file, all of it as JSON. Throws
-/// Error naming the byte.
-GltfChunks gltf_chunks(std::string_view bytes, std::string_view name);
-
 /// The members of the JSON that meshes need, without all else, each of the right type. Throws
 /// Error naming the JSON path.
 nlohmann::json gltf_outline(std::string_view json, std::string_view name);

@@ -190,7 +190,8 @@ TEST(BadGltf, wrong_containers_are_told_by_the_byte) {
   expect_refused(error_of_bytes("glTF"), "byte 4");
   expect_refused(error_of_bytes("not a mesh"), "byte 2 of the text is not JSON");
   expect_refused(error_of_bytes("[]"), "the document must be an object");
-  expect_refused(error_of_bytes(R"({"asset": {"version": 1e999}})"), "the text is not JSON");
+  expect_refused(error_of_bytes(R"({"asset": {"version": 1e999}})"),
+                 "byte 27 of the text is not JSON");
   expect_refused(error_of_bytes(with(4, std::string("\1\0\0\0", 4))), "byte 4 has version 1");
   expect_refused(error_of_bytes(good + "more"), "byte 8 tells of");
   expect_refused(error_of_bytes(good.substr(0, 100)), "byte 8 tells of");

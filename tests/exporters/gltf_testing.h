@@ -101,6 +101,7 @@ inline std::size_t add_accessor(GltfParts& parts, const std::string& bytes, int 
 /// What read_gltf() makes of the bytes in a file of `folder`, called "mesh.file test.glb". The file
 /// is written without care, since care takes a hundred times as long.
 inline Polygons read_bytes(const TemporaryFolder& folder, std::string_view bytes) {
+  std::filesystem::remove(folder / "test.glb");  // writing over a file waits for the disk
   std::ofstream(folder / "test.glb", std::ios::binary) << bytes;
   return read_gltf(folder / "test.glb", "mesh.file test.glb");
 }
