@@ -9,6 +9,7 @@
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "exporters/blender.h"
+#include "exporters/gltf.h"
 #include "exporters/pov.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -59,18 +60,31 @@ std::vector<std::string> export_blend(const Scene& scene, const ExportFlags& fla
   return {fs::path(flags.output).filename().string()};
 }
 
+/// Writes what `make` makes of the scene: glb_package() or gltf_package().
+template <Package make(const Scene&, const std::string&)>
+std::vector<std::string> export_gltf(const Scene& scene, const ExportFlags& flags) {
+  const Package package = make(scene, fs::path(flags.output).stem().string());
+  if (!flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", kGltfShortfall);
+  return write(flags, package);
+}
+
 struct Format {
   std::string_view extension;
   std::vector<std::string> (*write)(const Scene&, const ExportFlags&);
 };
 constexpr Format kFormats[] = {
-    {".pov", export_pov}, {".py", export_python}, {".blend", export_blend}};
+    {".pov", export_pov},
+    {".py", export_python},
+    {".blend", export_blend},
+    {".glb", export_gltf<glb_package>},
+    {".gltf", export_gltf<gltf_package>},
+};
 
 const Format& format_of(const std::string& output) {
   for (const Format& format : kFormats) {
     if (fs::path(output).extension() == format.extension) return format;
   }
-  throw Error(fmt::format("--output {} must end in .pov, .py or .blend", output));
+  throw Error(fmt::format("--output {} must end in .pov, .py, .blend, .glb or .gltf", output));
 }
 
 void run(const ExportFlags& flags) {
@@ -86,10 +100,13 @@ void run(const ExportFlags& flags) {
 
 void add_export_command(CLI::App& program) {
   auto flags = std::make_shared<ExportFlags>();
-  CLI::App* command = program.add_subcommand("export", "Write a scene for POV-Ray or Blender");
+  CLI::App* command =
+      program.add_subcommand("export", "Write a scene for POV-Ray, Blender or glTF");
   command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
       ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "a .pov, .py (Blender script) or .blend file")
+  command
+      ->add_option("-o,--output", flags->output,
+                   "a .pov, .py (Blender script), .blend, .glb or .gltf file")
       ->required();
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
@@ -97,7 +114,9 @@ void add_export_command(CLI::App& program) {
       "Examples:\n"
       "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
       "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
-      "  lumaknot export figure2 -o knot.blend      needs Blender");
+      "  lumaknot export figure2 -o knot.blend      needs Blender\n"
+      "  lumaknot export figure2 -o knot.glb        glTF 2.0 in one file; .gltf: with its arrays\n"
+      "                                             and image beside it");
   command->callback([flags] {
     const InterruptGuard guard;
     run(*flags);
