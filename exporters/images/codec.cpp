@@ -45,7 +45,7 @@ std::string encode(const std::string& extension, const OIIO::ImageSpec& spec, co
   if (!output->open(name, spec) || !output->write_image(spec.format, values) || !output->close()) {
     throw std::runtime_error(extension + ": " + output->geterror());
   }
-  return {bytes.begin(), bytes.end()};
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 template <class Integer>
