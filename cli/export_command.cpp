@@ -90,6 +90,7 @@ const Format& format_of(const std::string& output) {
 void run(const ExportFlags& flags) {
   const Format& format = format_of(flags.output);
   check_package_name(flags.output, "--output");
+  check_writable(flags.output, "--output");
   const Scene scene = load_scene(read_scene(flags.scene));
   const std::vector<std::string> files = format.write(scene, flags);
   if (flags.out.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));

@@ -60,6 +60,10 @@ Texture load_texture(const SceneInput& input) {
 }
 
 Scene load_scene(const SceneInput& input) {
+  // What is plainly wrong is refused before a mesh is made.
+  if (const auto* file = std::get_if<TextureFile>(&input.spec.texture)) {
+    check_texture_file(input.folder / file->path, "texture.file");
+  }
   return {load_mesh(input), load_texture(input), input.spec.view};
 }
 

@@ -58,6 +58,8 @@ void write_file(const fs::path& path, std::string_view bytes, std::string_view f
   file.commit();
 }
 
+void check_writable(const fs::path& path, std::string_view flag) { AtomicFile(path, flag); }
+
 std::string read_file(const fs::path& path, std::string_view label) {
   std::error_code ignored;
   errno = 0;

@@ -30,6 +30,9 @@ class AtomicFile {
 /// Writes `bytes` to `path`, whole or not at all.
 void write_file(const std::filesystem::path& path, std::string_view bytes, std::string_view flag);
 
+/// Throws the Error of writing to `path` before there is anything to write. Changes nothing.
+void check_writable(const std::filesystem::path& path, std::string_view flag);
+
 /// The bytes of the file at `path`. Throws Error calling it `label`.
 std::string read_file(const std::filesystem::path& path, std::string_view label);
 

@@ -183,5 +183,21 @@ TEST_F(AtomicFileTest, reading_a_missing_file_or_a_folder_names_the_label_and_th
   EXPECT_THAT(error_of([&] { read_file(folder, "scene"); }), HasSubstr("folder"));
 }
 
+TEST_F(AtomicFileTest, checking_a_place_changes_nothing) {
+  write_file(folder / "old.txt", "old", "--output");
+  check_writable(folder / "old.txt", "--output");
+  check_writable(folder / "new.txt", "--output");
+  EXPECT_EQ(read_file(folder / "old.txt", "file"), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFileTest, checking_a_place_refuses_what_writing_would_refuse) {
+  for (const fs::path& bad : {folder, folder / "missing" / "a.txt"}) {
+    const std::string error = error_of([&] { check_writable(bad, "--output"); });
+    EXPECT_THAT(error, HasSubstr("--output " + bad.string() + " can't be written"));
+    EXPECT_EQ(error, error_of([&] { write_file(bad, "x", "--output"); }));
+  }
+}
+
 }  // namespace
 }  // namespace lumaknot
