@@ -88,10 +88,13 @@ void add_errors(Table& table, const Certificate& c) {
   table.row("twist", fmt::format("{:.6f} degrees in a loop", c.twist));
   table.row("closing error", fmt::format("{:.2g} degrees", c.closing_error));
   table.row("ring tilt", fmt::format("{:.2g} degrees at most", c.ring_tilt));
+  const auto bound = [&](double Deviation::*of) {
+    return c.bound ? fmt::format(", bound {:.4g}", (*c.bound).*of) : "";
+  };
   table.row("chord error",
-            fmt::format("{:.4g} measured, bound {:.4g}", c.measured.chord, c.bound.chord));
-  table.row("normal error", fmt::format("{:.4g} degrees measured, bound {:.4g}",
-                                        c.measured.normal_degrees, c.bound.normal_degrees));
+            fmt::format("{:.4g} measured{}", c.measured.chord, bound(&Deviation::chord)));
+  table.row("normal error", fmt::format("{:.4g} degrees measured{}", c.measured.normal_degrees,
+                                        bound(&Deviation::normal_degrees)));
   table.row("texture stretch", fmt::format("{} along the centre line", range(c.stretch.along)));
   table.row("", fmt::format("{} along the surface", range(c.stretch.surface)));
   table.row("", fmt::format("{} around", range(c.stretch.around)));
@@ -149,7 +152,7 @@ Json certificate_json(const KnotSpec& knot, const Certificate& c) {
       {"closing_error_degrees", c.closing_error},
       {"ring_tilt_degrees", c.ring_tilt},
       {"error_measured", deviation_json(c.measured)},
-      {"error_bound", deviation_json(c.bound)},
+      {"error_bound", c.bound ? deviation_json(*c.bound) : Json()},
       {"texture_stretch",
        {{"along", range_json(c.stretch.along)},
         {"surface", range_json(c.stretch.surface)},

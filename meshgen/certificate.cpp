@@ -1,7 +1,11 @@
 #include "meshgen/certificate.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <span>
+
+#include "scene/presets.h"
 
 namespace lumaknot {
 namespace {
@@ -81,6 +85,56 @@ void measure_closed(Certificate& result, const KnotSpec& knot, const TriangleMes
   result.area = area(closed);
 }
 
+bool has_exact_rings(const KnotSpec& knot) { return knot.frames == FrameRule::kRotationMinimizing; }
+
+/// The first component's vertices as measured_deviation() has them. Quads that are cut along the
+/// other diagonal are seen in a mirror, the sides in reverse.
+Bulk<Vec3d> grid_positions(const Rings& rings, const KnotSpec& knot) {
+  const bool mirrored = has_fixed_winding(knot.convention);
+  Bulk<Vec3d> positions;
+  for (int i = 0; i <= knot.segments; ++i) {
+    for (int j = 0; j <= knot.sides; ++j) {
+      positions.push_back(rings.position(i, mirrored ? knot.sides - j : j));
+    }
+  }
+  return positions;
+}
+
+/// The largest angle between a vertex's normal and the exact tube's where it is nearest, in
+/// degrees.
+double normal_error_at_vertices(const TriangleMesh& mesh, const KnotSpec& knot, const Curve& line) {
+  const GridLayout layout = layout_of(knot);
+  double most = 0;
+  for (std::size_t v = 0; v < std::size_t(layout.vertices()); ++v) {
+    double t = ring_parameter(int(v) / layout.columns, knot.segments);
+    for (int step = 0; step < 8; ++step) {  // Newton's, on (x - C) . C' = 0
+      const CurvePoint c = curve_point(line, t);
+      const Vec3d arm = mesh.positions[v] - c.position;
+      t += dot(arm, c.first) / (dot(c.first, c.first) - dot(arm, c.second));
+    }
+    const Vec3d exact = mesh.positions[v] - curve_point(line, t).position;
+    most = std::max(most, angle_between(mesh.normals[v], exact));
+  }
+  return most;
+}
+
+void measure_deviation(Certificate& result, const KnotSpec& knot, const TriangleMesh& mesh,
+                       const TubeSurface& surface) {
+  const GridLayout layout = layout_of(knot);
+  if (has_exact_rings(knot)) {
+    const std::size_t count = std::size_t(layout.vertices());
+    result.measured = measured_deviation(surface, knot.segments, knot.sides,
+                                         std::span(mesh.positions).first(count),
+                                         std::span(mesh.normals).first(count));
+    result.bound = deviation_bound(surface, knot.segments, knot.sides);
+    return;
+  }
+  const Bulk<Vec3d> positions = grid_positions(Rings(mesh, layout, 0), knot);
+  result.measured = {
+      measured_deviation(surface, knot.segments, knot.sides, positions, positions).chord,
+      normal_error_at_vertices(mesh, knot, surface.spine().curve())};
+}
+
 }  // namespace
 
 Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
@@ -103,9 +157,7 @@ Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
   }
   result.stretch = stretch_of(Rings(mesh, layout, 0), spine, knot);
   result.clearance = clearance(components(knot));
-  const TubeSurface surface(spine, knot.tube_radius);
-  result.measured = measured_deviation(surface, knot.segments, knot.sides);
-  result.bound = deviation_bound(surface, knot.segments, knot.sides);
+  measure_deviation(result, knot, mesh, TubeSurface(spine, knot.tube_radius));
   return result;
 }
 

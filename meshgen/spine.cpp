@@ -36,13 +36,15 @@ std::array<std::array<double, degree>, degree> chebyshev_cosines() {
 }  // namespace
 
 PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function) {
-  fit(function, 0, kPi, 0);
+  double sum = 0;
+  for (int i = 0; i < kDegree; ++i) sum += std::abs(function(kPi * (i + 0.5) / kDegree));
+  fit(function, 0, kPi, 4e-15 * kPi * sum / kDegree, 0);
 }
 
 // The series a_k of the function, k < kDegree, from its values at the Chebyshev points; that of its
 // integral has c_k = (a_(k-1) - a_(k+1)) / (2 k) times half the width.
 void PeriodicIntegral::fit(const std::function<double(double)>& function, double from, double width,
-                           int depth) {
+                           double tolerance, int depth) {
   constexpr int kDeepest = 20;  // a panel of 3e-6 radians
   static const auto kCosines = chebyshev_cosines<kDegree>();
   std::array<double, kDegree + 2> a{};
@@ -53,11 +55,11 @@ void PeriodicIntegral::fit(const std::function<double(double)>& function, double
     }
   }
   const double tail = std::abs(a[kDegree - 1]) + std::abs(a[kDegree - 2]);
-  // The integral divides these by 2 k: 1e-16 of it is left.
-  // The integral divides these by 2 k: 1e-16 of it is left.
-  if (depth < kDeepest && tail > 4e-15 * std::abs(a[0])) {
-    fit(function, from, width / 2, depth + 1);
-    fit(function, from + width / 2, width / 2, depth + 1);
+  // Of the whole integral, not of the panel's: a steep function's own rounding stays below it. The
+  // integral divides these by 2 k besides: 1e-16 of it is left.
+  if (depth < kDeepest && tail * width > tolerance) {
+    fit(function, from, width / 2, tolerance, depth + 1);
+    fit(function, from + width / 2, width / 2, tolerance, depth + 1);
     return;
   }
   Panel panel{from, width, {}};

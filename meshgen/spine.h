@@ -31,7 +31,8 @@ class PeriodicIntegral {
     std::array<double, kDegree + 1> c;
   };
 
-  void fit(const std::function<double(double)>& function, double from, double width, int depth);
+  void fit(const std::function<double(double)>& function, double from, double width,
+           double tolerance, int depth);
 
   std::vector<Panel> panels_;    // of [0, pi]
   std::vector<double> sums_{0};  // the integral up to each panel, and to pi
@@ -52,7 +53,8 @@ class Spine {
   /// The arc length from 0 to t, in scene units; t in radians, also beyond one loop.
   double arc_length(double t) const;
 
-  /// The angle in (-pi, pi] by which the rotation-minimising frame misses itself after one loop.
+  /// The angle in [-pi, pi], about the tangent, by which the rotation-minimising frame misses
+  /// itself after one loop.
   double holonomy() const { return holonomy_; }
 
   /// The closed frame at t, its error some 1e-15 radians a turn.

@@ -69,7 +69,13 @@ TEST_F(Program, outputs_that_can_not_be_written_are_refused_before_the_work) {
   expect_refused({"mesh", "-o", "knot.stp"}, "--output knot.stp must end in");
   expect_refused({"mesh", "--tube", "-1", "-o", "knot.obj"}, "--tube must be > 0, got -1");
   expect_refused({"mesh", "--tube", "nan", "-o", "knot.obj"}, "--tube must be a finite number");
-  expect_refused({"mesh", "--p", "4", "--q", "6", "-o", "knot.obj"}, "coprime");
+  expect_refused({"mesh", "--p", "0", "--q", "0", "-o", "knot.obj"}, "--p and --q must not both");
+  expect_refused({"mesh", "--tube", "1.5", "-o", "knot.obj"}, "--tube must be < --ring");
+  expect_refused({"mesh", "--tube", "0.5", "--strict", "-o", "knot.obj"}, "--tube 0.5 passes");
+  expect_refused({"mesh"}, "--output is needed");
+  expect_refused({"mesh", "--max-error", "0", "-o", "knot.obj"}, "--max-error must be > 0");
+  expect_refused({"mesh", "--max-error", "0.1", "--sides", "9", "-o", "knot.obj"}, "--max-error");
+  expect_refused({"mesh", "--convention", "maya", "-o", "knot.obj"}, "--convention must be one of");
   expect_refused({"mesh", "--segments", "9000000", "--sides", "90000", "-o", "knot.obj"},
                  "--segments x --sides");
   expect_refused({"export", "figure2", "-o", "knot.fbx"}, "--output knot.fbx must end in");

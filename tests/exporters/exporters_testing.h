@@ -71,7 +71,7 @@ inline TextureImage small_texture() {
 }
 
 inline Scene small_scene(Texture texture = small_texture()) {
-  return {flat_mesh(knot_mesh(small_knot())), std::move(texture), builtin_scene("figure2")->view};
+  return {knot_mesh(small_knot()), std::move(texture), builtin_scene("figure2")->view};
 }
 
 inline Material material(std::string_view name) { return *with_formula(Material{}, name); }

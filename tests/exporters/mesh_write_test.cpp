@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::TemporaryFolder;
 
-TriangleMesh small_mesh() { return flat_mesh(knot_mesh(testing::small_knot())); }
+TriangleMesh small_mesh() { return knot_mesh(testing::small_knot()); }
 
 /// Triangle by triangle, corner by corner; indices may differ.
 void expect_same_surface(const TriangleMesh& read, const TriangleMesh& written) {
@@ -121,7 +121,7 @@ TEST(WriteMesh, unknown_extension_is_refused_naming_the_flag_and_the_known_ones)
 TEST(WriteMesh, knot_of_the_paper_has_the_papers_counts) {
   const TemporaryFolder folder;
   const auto path = folder / "knot.obj";
-  write_mesh(path, flat_mesh(knot_mesh(KnotSpec{})), {}, "--output");
+  write_mesh(path, knot_mesh(KnotSpec{}), {}, "--output");
   const std::string text = bytes_at(path);
   EXPECT_EQ(testing::lines_with(text, "v "), 31529);  // (768 + 1) (40 + 1)
   EXPECT_EQ(testing::lines_with(text, "f "), 61440);  // 2 * 768 * 40

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "meshgen/closed_mesh.h"
 #include "meshgen/knot_mesh.h"
 
 namespace lumaknot {
@@ -29,7 +30,7 @@ double uv_area(const TriangleMesh& mesh, const Triangle& t) {
 }
 
 TEST(FlatMesh, figure_2_has_the_paper_s_counts) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(KnotSpec{}));
+  const TriangleMesh mesh = knot_mesh(KnotSpec{});
   EXPECT_EQ(mesh.positions.size(), 31'529u);
   EXPECT_EQ(mesh.triangles.size(), 61'440u);
 }
@@ -39,14 +40,14 @@ TEST(FlatMesh, seams_are_duplicated_in_both_directions_for_every_grid) {
     KnotSpec knot;
     knot.segments = segments;
     knot.sides = sides;
-    const TriangleMesh mesh = flat_mesh(knot_mesh(knot));
+    const TriangleMesh mesh = knot_mesh(knot);
     EXPECT_EQ(mesh.positions.size(), std::size_t((segments + 1) * (sides + 1)));
     EXPECT_EQ(mesh.triangles.size(), std::size_t(2 * segments * sides));
   }
 }
 
 TEST(FlatMesh, arrays_have_one_length_and_every_vertex_is_used) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
+  const TriangleMesh mesh = knot_mesh(small_knot());
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
   EXPECT_EQ(mesh.uvs.size(), mesh.positions.size());
   std::set<std::uint32_t> used;
@@ -55,33 +56,30 @@ TEST(FlatMesh, arrays_have_one_length_and_every_vertex_is_used) {
   EXPECT_LT(*used.rbegin(), mesh.positions.size());
 }
 
-TEST(FlatMesh, vertices_come_in_the_order_of_first_use) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
-  std::uint32_t next = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t index : t) {
-      ASSERT_LE(index, next);
-      next = std::max(next, index + 1);
-    }
+TEST(FlatMesh, vertices_come_ring_by_ring_and_side_by_side) {
+  const TriangleMesh mesh = knot_mesh(small_knot());
+  for (std::size_t i = 1; i < mesh.uvs.size(); ++i) {
+    const Vec2d &last = mesh.uvs[i - 1], &next = mesh.uvs[i];
+    ASSERT_TRUE(next.u > last.u || (next.u == last.u && next.v > last.v)) << i;
   }
 }
 
 TEST(FlatMesh, positions_and_normals_are_the_closed_mesh_s) {
-  const ClosedMesh closed = knot_mesh(small_knot());
+  const ClosedMesh closed = closed_mesh(small_knot(), knot_mesh(small_knot()));
   std::set<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>> known;
   for (const auto v : closed.vertices()) {
     const auto p = closed.point(v), n = closed.normal(v);
     known.insert({{p[0], p[1], p[2]}, {n[0], n[1], n[2]}});
   }
-  const TriangleMesh flat = flat_mesh(closed);
+  const TriangleMesh flat = knot_mesh(small_knot());
   for (std::size_t i = 0; i < flat.positions.size(); ++i) {
     ASSERT_TRUE(known.contains({key(flat.positions[i]), key(flat.normals[i])})) << i;
   }
 }
 
 TEST(FlatMesh, triangles_are_the_closed_mesh_s_in_their_order) {
-  const ClosedMesh closed = knot_mesh(small_knot());
-  const TriangleMesh flat = flat_mesh(closed);
+  const ClosedMesh closed = closed_mesh(small_knot(), knot_mesh(small_knot()));
+  const TriangleMesh flat = knot_mesh(small_knot());
   std::size_t i = 0;
   for (const auto face : closed.faces()) {
     std::set<std::tuple<double, double, double>> expected, found;
@@ -95,7 +93,7 @@ TEST(FlatMesh, triangles_are_the_closed_mesh_s_in_their_order) {
 }
 
 TEST(FlatMesh, no_two_vertices_share_position_and_texture_coordinate) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
+  const TriangleMesh mesh = knot_mesh(small_knot());
   std::set<std::pair<std::tuple<double, double, double>, std::pair<double, double>>> seen;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     EXPECT_TRUE(seen.insert({key(mesh.positions[i]), {mesh.uvs[i].u, mesh.uvs[i].v}}).second) << i;
@@ -103,7 +101,7 @@ TEST(FlatMesh, no_two_vertices_share_position_and_texture_coordinate) {
 }
 
 TEST(FlatMesh, texture_coordinates_run_from_zero_to_the_repeats_exactly) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
+  const TriangleMesh mesh = knot_mesh(small_knot());
   const auto [least_u, most_u] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::u);
   const auto [least_v, most_v] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::v);
   EXPECT_EQ(least_u.u, 0);
@@ -113,7 +111,7 @@ TEST(FlatMesh, texture_coordinates_run_from_zero_to_the_repeats_exactly) {
 }
 
 TEST(FlatMesh, copies_of_a_vertex_differ_by_whole_tiles) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
+  const TriangleMesh mesh = knot_mesh(small_knot());
   std::map<std::tuple<double, double, double>, Vec2d> first;
   int copies = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -128,7 +126,9 @@ TEST(FlatMesh, copies_of_a_vertex_differ_by_whole_tiles) {
 }
 
 TEST(FlatMesh, every_triangle_spans_half_a_grid_cell_of_the_texture) {
-  const TriangleMesh mesh = flat_mesh(knot_mesh(small_knot()));
+  KnotSpec knot = small_knot();
+  knot.unwrap = Unwrap::kParameter;
+  const TriangleMesh mesh = knot_mesh(knot);
   const double cell = 12.0 / 48 * 3.0 / 9;
   for (const Triangle& t : mesh.triangles) {
     // Positive: the texture is not mirrored, as triangles are counter-clockwise from outside.
@@ -139,7 +139,10 @@ TEST(FlatMesh, every_triangle_spans_half_a_grid_cell_of_the_texture) {
 
 TEST(FlatMesh, texture_coordinates_are_the_grid_s_in_double_precision) {
   // Nothing narrows geometry before a writer does: (i / 48) 12 and (j / 9) 3 to the last bits.
-  for (const Vec2d& uv : flat_mesh(knot_mesh(small_knot())).uvs) {
+  KnotSpec knot = small_knot();
+  knot.unwrap = Unwrap::kParameter;
+  const TriangleMesh mesh = knot_mesh(knot);
+  for (const Vec2d& uv : mesh.uvs) {
     ASSERT_NEAR(uv.u * 4, std::round(uv.u * 4), 1e-13);
     ASSERT_NEAR(uv.v * 3, std::round(uv.v * 3), 1e-13);
   }
@@ -149,7 +152,7 @@ TEST(FlatMesh, texture_is_not_mirrored_seen_from_outside) {
   for (const int p : {2, -2}) {
     KnotSpec knot = small_knot();
     knot.p = p;
-    const TriangleMesh mesh = flat_mesh(knot_mesh(knot));
+    const TriangleMesh mesh = knot_mesh(knot);
     for (const Triangle& t : mesh.triangles) {
       const Vec3d a = mesh.positions[t[0]];
       const Vec3d facing = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
@@ -160,7 +163,8 @@ TEST(FlatMesh, texture_is_not_mirrored_seen_from_outside) {
 }
 
 TEST(FlatMesh, normals_are_unit) {
-  for (const Vec3d& n : flat_mesh(knot_mesh(small_knot())).normals) {
+  const TriangleMesh mesh = knot_mesh(small_knot());
+  for (const Vec3d& n : mesh.normals) {
     ASSERT_NEAR(length(n), 1, 1e-13);  // rounding
   }
 }

@@ -1,48 +1,53 @@
 #include "meshgen/frames.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
-#include "meshgen/curve.h"
+#include "tests/scene/error_of.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr double kRounding = 1e-13;  // a few operations a frame; errors don't add up along it
+constexpr double kPi = std::numbers::pi;
 
-KnotSpec knot_of(int p, int q, int segments) {
+KnotSpec knot_of(int p, int q) {
   KnotSpec knot;
   knot.p = p;
   knot.q = q;
-  knot.segments = segments;
   return knot;
 }
 
+Spine spine_of(int p, int q) { return Spine(components(knot_of(p, q)).front()); }
+
+std::vector<Frame> frames_of(int p, int q, int segments,
+                             FrameRule rule = FrameRule::kRotationMinimizing) {
+  return ring_frames(spine_of(p, q), rule, segments);
+}
+
+constexpr FrameRule kRules[] = {FrameRule::kRotationMinimizing, FrameRule::kDoubleReflection,
+                                FrameRule::kFrenet, FrameRule::kThree};
+
 const std::pair<int, int> kPairs[] = {{2, 3}, {-2, 3}, {2, -3}, {1, 0}, {0, 1}, {5, 2}, {7, 11}};
 
-/// The angle by which `b` is twisted against `a`, after the least turn that takes tangent to
-/// tangent (about their common normal).
-double twist(const Frame& a, const Frame& b) {
-  const Vec3d axis = cross(a.tangent, b.tangent);
-  const double cosine = dot(a.tangent, b.tangent);
-  const Vec3d moved =
-      a.across * cosine + cross(axis, a.across) + axis * (dot(axis, a.across) / (1 + cosine));
-  return std::atan2(dot(b.across, cross(b.tangent, moved)), dot(b.across, moved));
-}
+/// The twist of two neighbours.
+double twist_between(const Frame& a, const Frame& b) { return twist({a, b}); }
 
 TEST(Frames, are_orthonormal_and_one_handed) {
   for (const auto& [p, q] : kPairs) {
-    for (const int segments : {3, 64, 500}) {
-      for (const Frame& f : closed_frames(knot_of(p, q, segments))) {
+    for (const FrameRule rule : kRules) {
+      if (rule == FrameRule::kThree && p == 0) continue;
+      for (const Frame& f : frames_of(p, q, 500, rule)) {
         ASSERT_NEAR(length(f.tangent), 1, kRounding);
         ASSERT_NEAR(length(f.across), 1, kRounding);
         ASSERT_NEAR(length(f.over), 1, kRounding);
-        ASSERT_NEAR(dot(f.tangent, f.across), 0, kRounding);
-        ASSERT_NEAR(dot(f.tangent, f.over), 0, kRounding);
         ASSERT_NEAR(dot(f.across, f.over), 0, kRounding);
+        ASSERT_NEAR(dot(f.tangent, f.across), 0, kRounding);
         ASSERT_NEAR(length(cross(f.across, f.tangent) - f.over), 0, kRounding);
       }
     }
@@ -50,50 +55,60 @@ TEST(Frames, are_orthonormal_and_one_handed) {
 }
 
 TEST(Frames, stand_on_the_curve_along_its_tangent) {
-  const KnotSpec knot = knot_of(5, 2, 100);
-  const std::vector<Frame> frames = closed_frames(knot);
-  ASSERT_EQ(frames.size(), 100u);
+  const Curve line = components(knot_of(5, 2)).front();
+  const std::vector<Frame> frames = frames_of(5, 2, 100);
+  ASSERT_EQ(frames.size(), 101u);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const CurvePoint point = curve_point(knot, 2 * std::numbers::pi * double(i) / 100);
+    const CurvePoint point = curve_point(line, ring_parameter(int(i), 100));
     EXPECT_LT(length(frames[i].position - point.position), kRounding);
-    EXPECT_LT(length(cross(frames[i].tangent, point.derivative)), 10 * kRounding);
-    EXPECT_GT(dot(frames[i].tangent, point.derivative), 0);
+    EXPECT_LT(length(cross(frames[i].tangent, point.first)), 10 * kRounding);
+    EXPECT_GT(dot(frames[i].tangent, point.first), 0);
   }
 }
 
-TEST(Frames, twist_evenly_and_no_more_from_the_last_to_the_first) {
-  for (const auto& [p, q] : kPairs) {
-    const std::vector<Frame> frames = closed_frames(knot_of(p, q, 768));
-    std::vector<double> twists;
-    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
-      twists.push_back(twist(frames[i], frames[i + 1]));
+TEST(Frames, close_to_less_than_a_billionth_of_a_degree) {
+  for (int p = -7; p <= 7; ++p) {
+    for (int q = -7; q <= 7; ++q) {
+      if (std::gcd(p, q) != 1) continue;
+      const std::vector<Frame> frames = frames_of(p, q, 200);
+      const double error = length(frames.front().across - frames.back().across);
+      ASSERT_LT(error * 180 / kPi, 1e-9) << p << "," << q;
     }
-    const auto [least, most] = std::minmax_element(twists.begin(), twists.end());
-    const double seam = twist(frames.back(), frames.front());
-    // twist() itself errs by O(step^3) a step; the bound is a thirtieth of an even share of pi.
-    const double share = std::numbers::pi / 768;
-    EXPECT_NEAR(seam, *least, 0.03 * share) << p << "," << q;
-    EXPECT_NEAR(seam, *most, 0.03 * share) << p << "," << q;
-    EXPECT_LE(std::abs(seam), 1.03 * share) << p << "," << q;
+  }
+}
+
+TEST(Frames, share_out_the_holonomy_evenly_by_arc_length) {
+  for (const auto& [p, q] : kPairs) {
+    const Spine spine = spine_of(p, q);
+    const std::vector<Frame> frames = frames_of(p, q, 768);
+    for (int i = 0; i < 768; ++i) {
+      const double way =
+          spine.arc_length(ring_parameter(i + 1, 768)) - spine.arc_length(ring_parameter(i, 768));
+      // One step of the double reflection that measures it errs by some (step)^5.
+      ASSERT_NEAR(twist_between(frames[std::size_t(i)], frames[std::size_t(i) + 1]),
+                  -spine.holonomy() * way / spine.length(), 1e-7)
+          << p << "," << q << " ring " << i;
+    }
   }
 }
 
 TEST(Frames, of_a_plane_circle_do_not_twist_at_all) {
-  for (const auto& [p, q] : {std::pair{1, 0}, {0, 1}}) {
-    EXPECT_NEAR(closing_angle(knot_of(p, q, 100)), 0, 1e-12);  // rounding of 100 steps
-    const std::vector<Frame> frames = closed_frames(knot_of(p, q, 100));
-    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
-      EXPECT_NEAR(twist(frames[i], frames[i + 1]), 0, 1e-12);
-    }
+  for (const auto& [p, q] : {std::pair{1, 0}, {0, 1}, {-1, 0}}) {
+    EXPECT_EQ(spine_of(p, q).holonomy(), 0);
+    EXPECT_NEAR(twist(frames_of(p, q, 100)), 0, 1e-12);  // rounding of 100 steps
   }
 }
 
-TEST(Frames, closing_angle_converges_at_order_4) {
+TEST(Frames, of_double_reflection_converge_to_the_exact_ones_at_order_4) {
   for (const auto& [p, q] : {std::pair{2, 3}, {5, 2}, {3, -4}}) {
-    const double exact = closing_angle(knot_of(p, q, 12'800));
     const auto error = [&, p = p, q = q](int segments) {
-      return std::abs(
-          std::remainder(closing_angle(knot_of(p, q, segments)) - exact, 2 * std::numbers::pi));
+      const std::vector<Frame> exact = frames_of(p, q, segments);
+      const auto steps = frames_of(p, q, segments, FrameRule::kDoubleReflection);
+      double worst = 0;
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        worst = std::max(worst, length(steps[i].across - exact[i].across));
+      }
+      return worst;
     };
     // Order 4 (Wang et al. 2008, section 4.2); higher terms bend the slope at a finite step.
     EXPECT_NEAR(std::log2(error(400) / error(800)), 4, 0.1) << p << "," << q;
@@ -101,37 +116,80 @@ TEST(Frames, closing_angle_converges_at_order_4) {
   }
 }
 
-TEST(Frames, closing_angle_is_the_total_torsion) {
+TEST(Frames, holonomy_is_the_total_torsion) {
   // The rotation-minimising frame turns against the Frenet frame by minus the torsion, and the
   // Frenet frame of these knots closes: the angle missing is the integral of torsion over the loop.
-  const KnotSpec knot = knot_of(2, 3, 3200);
-  const int n = 3200;
-  const double h = 2 * std::numbers::pi / n;
-  double total = 0;
-  for (int i = 0; i < n; ++i) {
-    const auto d = [&](double t) { return curve_point(knot, t).derivative; };
-    const double t = i * h, e = 1e-3;
-    const Vec3d d1 = d(t), d2 = (d(t + e) - d(t - e)) / (2 * e);
-    const Vec3d d3 = (d(t + e) - d1 * 2.0 + d(t - e)) / (e * e);
-    const Vec3d binormal = cross(d1, d2);
-    total += dot(binormal, d3) / dot(binormal, binormal) * length(d1) * h;
+  for (const auto& [p, q] : {std::pair{2, 3}, {3, 2}, {5, 2}, {-3, 5}}) {
+    const Curve line = components(knot_of(p, q)).front();
+    const int n = 8000;
+    double total = 0;
+    for (int i = 0; i < n; ++i) {
+      const CurvePoint point = curve_point(line, ring_parameter(i, n));
+      total += torsion(point) * length(point.first) * 2 * kPi / n;
+    }
+    // From `across` to `over` is a turn about minus the tangent, hence plus the torsion. The
+    // trapezoid rule is exact to rounding on a smooth closed curve.
+    const double holonomy = spine_of(p, q).holonomy();
+    EXPECT_NEAR(std::remainder(holonomy + total, 2 * kPi), 0, 1e-9) << p << "," << q;
   }
-  // From `across` to `over` is a turn about minus the tangent, hence plus the torsion. The
-  // differences above err by e^2.
-  EXPECT_NEAR(std::remainder(closing_angle(knot) - total, 2 * std::numbers::pi), 0, 1e-4);
 }
 
 TEST(Frames, of_a_mirror_image_close_by_the_opposite_angle) {
-  // Rounding of 400 steps.
-  EXPECT_NEAR(closing_angle(knot_of(2, 3, 400)), -closing_angle(knot_of(2, -3, 400)), 1e-12);
+  EXPECT_NEAR(spine_of(2, 3).holonomy(), -spine_of(2, -3).holonomy(), kRounding);
 }
 
 TEST(Frames, do_not_depend_on_the_unit_of_length) {
-  KnotSpec knot = knot_of(2, 3, 200);
-  const double angle = closing_angle(knot);
+  KnotSpec knot = knot_of(2, 3);
   knot.ring_radius *= 1e6;
   knot.winding_radius *= 1e6;
-  EXPECT_NEAR(closing_angle(knot), angle, 1e-12);  // rounding of 200 steps
+  const Spine large(components(knot).front());
+  EXPECT_NEAR(large.holonomy(), spine_of(2, 3).holonomy(), kRounding);
+  EXPECT_NEAR(large.length() / spine_of(2, 3).length(), 1e6, 1e-6);  // rounding
+}
+
+// What three.js's frames are known to do, from the curve's and the rings' own definitions.
+TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
+  const auto spine = [](int p, int q) {
+    KnotSpec knot = knot_of(p, q);
+    knot.winding_radius = 0.5;
+    return Spine(components(knot).front());
+  };
+  const auto tilt = [&](int p, int q) {
+    double worst = 0;
+    const Spine s = spine(p, q);
+    for (int i = 0; i < 4000; ++i) {
+      const double t = ring_parameter(i, 4000);
+      const Frame f = three_frame(s.curve(), t);
+      const Vec3d tangent = normalize(curve_point(s.curve(), t).first);
+      worst = std::max(worst, std::asin(length(cross(cross(f.over, f.across), tangent))));
+    }
+    return worst * 180 / kPi;
+  };
+  const auto turns = [&](int p, int q) {
+    return std::abs(twist(ring_frames(spine(p, q), FrameRule::kThree, 4000))) * 180 / kPi;
+  };
+  EXPECT_NEAR(tilt(2, 3), 0.47, 0.005);  // the figures are known to these digits
+  EXPECT_NEAR(tilt(1, 20), 5.7, 0.05);
+  EXPECT_NEAR(turns(2, 3), 187, 0.5);
+  EXPECT_NEAR(turns(2, 9), 1931, 0.5);
+}
+
+std::string refusal(const KnotSpec& knot, FrameRule rule) {
+  return error_of([&] { ring_frames(Spine(components(knot).front()), rule, 401); });
+}
+
+TEST(Frames, of_frenet_are_refused_where_the_curvature_is_zero) {
+  KnotSpec knot = knot_of(2, 3);
+  knot.winding_radius = 4.0 / 13;  // w q^2 = (R - w) p^2: no curvature where psi = pi
+  EXPECT_LT(curvature(curve_point(components(knot).front(), kPi / 3)), 1e-12);
+  EXPECT_THAT(refusal(knot, FrameRule::kFrenet), ::testing::HasSubstr("\"frenet\" are undefined"));
+  EXPECT_THAT(refusal(knot, FrameRule::kFrenet), ::testing::HasSubstr("rotation-minimizing"));
+  EXPECT_EQ(refusal(knot_of(2, 3), FrameRule::kFrenet), "");
+}
+
+TEST(Frames, with_a_fixed_up_are_refused_where_the_centre_line_is_vertical) {
+  EXPECT_THAT(refusal(knot_of(0, 1), FrameRule::kFixedUp), ::testing::HasSubstr("undefined"));
+  EXPECT_EQ(refusal(knot_of(2, 3), FrameRule::kFixedUp), "");
 }
 
 }  // namespace

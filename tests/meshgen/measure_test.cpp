@@ -19,9 +19,11 @@ ClosedMesh corner_tetrahedron() {
 
 TEST(Measure, a_tetrahedron_is_a_sphere) {
   const ClosedMesh mesh = corner_tetrahedron();
-  EXPECT_EQ(euler_characteristic(mesh), 2);
-  EXPECT_EQ(genus(mesh), 0);
-  EXPECT_EQ(boundary_edges(mesh), 0u);
+  const std::vector<Piece> all = pieces(mesh);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].euler_characteristic(), 2);
+  EXPECT_EQ(all[0].genus(), 0);
+  EXPECT_EQ(all[0].boundary_edges, 0);
 }
 
 TEST(Measure, a_tetrahedron_s_volume_is_a_sixth_wherever_it_lies) {
@@ -43,8 +45,26 @@ TEST(Measure, a_hole_shows_as_boundary) {
   const auto c = mesh.add_vertex({0, 1, 0}), d = mesh.add_vertex({1, 1, 0});
   mesh.add_face(a, b, c);
   mesh.add_face(b, d, c);
-  EXPECT_EQ(boundary_edges(mesh), 4u);
-  EXPECT_EQ(euler_characteristic(mesh), 1);  // a disc
+  const std::vector<Piece> all = pieces(mesh);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].boundary_edges, 4);
+  EXPECT_EQ(all[0].euler_characteristic(), 1);  // a disc
+}
+
+TEST(Measure, pieces_are_counted_apart) {
+  ClosedMesh mesh = corner_tetrahedron();
+  const auto a = mesh.add_vertex({5, 0, 0}), b = mesh.add_vertex({6, 0, 0});
+  mesh.add_face(a, b, mesh.add_vertex({5, 1, 0}));
+  const std::vector<Piece> all = pieces(mesh);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].faces, 4);
+  EXPECT_EQ(all[0].edges, 6);
+  EXPECT_EQ(all[1].vertices, 3);
+  EXPECT_EQ(all[1].boundary_edges, 3);
+}
+
+TEST(Measure, area_of_a_tetrahedron_is_its_four_faces) {
+  EXPECT_NEAR(area(corner_tetrahedron()), 1.5 + std::sqrt(3.0) / 2, 1e-15);  // rounding
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ Scene knot_scene() {
   knot.segments = 60;
   knot.sides = 12;
   knot.repeat_u = 12;
-  Scene scene{flat_mesh(knot_mesh(knot)), bricks(), {}};
+  Scene scene{knot_mesh(knot), bricks(), {}};
   scene.view.image = {32, 24, 1};
   return scene;
 }

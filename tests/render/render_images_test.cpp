@@ -17,7 +17,7 @@ Scene knot_scene(int width, int height, int samples = 1) {
   knot.segments = 60;
   knot.sides = 12;
   knot.repeat_u = 12;
-  Scene scene{flat_mesh(knot_mesh(knot)), bricks(), {}};
+  Scene scene{knot_mesh(knot), bricks(), {}};
   scene.view.image = {width, height, samples};
   return scene;
 }

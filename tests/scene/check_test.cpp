@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "scene/presets.h"
 #include "tests/scene/error_of.h"
 
 namespace lumaknot {
@@ -52,18 +53,57 @@ TEST(CheckNumber, refuses_what_is_not_finite_whatever_the_bound) {
   EXPECT_NO_THROW(check_number("x", std::numeric_limits<double>::lowest(), {}));
 }
 
-TEST(CheckKnot, accepts_every_coprime_pair_and_no_other) {
+TEST(CheckKnot, accepts_every_pair_but_zero_and_zero) {
   KnotSpec knot;
-  for (const auto& [p, q] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {1, 1}, {-2, 3}, {999, 1000}}) {
+  for (const auto& [p, q] : {std::pair{1, 0},
+                             {0, 1},
+                             {-1, 0},
+                             {1, 1},
+                             {-2, 3},
+                             {999, 1000},
+                             {2, 0},
+                             {0, -3},
+                             {2, 4},
+                             {-3, 9},
+                             {1000, 10}}) {
     knot.p = p;
     knot.q = q;
     EXPECT_EQ(knot_refusal(knot, ""), "") << p << "," << q;
   }
-  for (const auto& [p, q] : {std::pair{0, 0}, {2, 0}, {0, -3}, {2, 4}, {-3, 9}, {1000, 10}}) {
-    knot.p = p;
-    knot.q = q;
-    EXPECT_THAT(knot_refusal(knot, ""), HasSubstr("coprime")) << p << "," << q;
-  }
+  knot.p = knot.q = 0;
+  EXPECT_EQ(knot_refusal(knot, "--"), "--p and --q must not both be 0; try 2 and 3");
+}
+
+TEST(CheckKnot, refuses_a_tube_as_thick_as_the_ring) {
+  KnotSpec knot;
+  knot.tube_radius = 1;
+  EXPECT_EQ(knot_refusal(knot, "--"), "--tube must be < --ring, 1, got 1");
+}
+
+TEST(CheckKnot, refuses_what_a_convention_can_not_have) {
+  KnotSpec three = knot_defaults(Convention::kThree);
+  EXPECT_EQ(knot_refusal(three, "--"), "");
+  three.winding_radius = 0.4;
+  EXPECT_THAT(knot_refusal(three, "--"), HasSubstr("--winding must be half of --ring"));
+  three = knot_defaults(Convention::kThree);
+  three.p = 0;
+  EXPECT_THAT(knot_refusal(three, "--"), HasSubstr("--p must not be 0 in convention three"));
+  three = knot_defaults(Convention::kThree);
+  three.frames = FrameRule::kFrenet;
+  EXPECT_THAT(knot_refusal(three, "--"), HasSubstr("--frames"));
+  KnotSpec babylon = knot_defaults(Convention::kBabylon);
+  babylon.q = 0;
+  EXPECT_THAT(knot_refusal(babylon, "--"), HasSubstr("takes 0 as 3"));
+}
+
+TEST(CheckKnot, counts_the_vertices_of_every_component) {
+  KnotSpec knot;
+  knot.segments = 9999;
+  knot.sides = 4999;  // 10,000 x 5000, half of the most that are built
+  knot.p = knot.q = 2;
+  EXPECT_EQ(knot_refusal(knot, ""), "");
+  knot.p = knot.q = 3;
+  EXPECT_THAT(knot_refusal(knot, ""), HasSubstr("150000000 vertices"));
 }
 
 TEST(CheckKnot, calls_fields_by_the_prefix_it_is_given) {
@@ -86,11 +126,11 @@ TEST(CheckKnot, refuses_lengths_that_are_not_positive_and_finite) {
 
 TEST(CheckKnot, counts_the_flat_mesh_s_vertices) {
   KnotSpec knot;
-  knot.segments = 4999;
-  knot.sides = 3999;  // 5000 x 4000: the most that are built
+  knot.segments = 24'999;
+  knot.sides = 3999;  // 25,000 x 4000: the most that are built
   EXPECT_EQ(knot_refusal(knot, ""), "");
   knot.sides = 4000;
-  EXPECT_THAT(knot_refusal(knot, "--"), HasSubstr("20005000"));
+  EXPECT_THAT(knot_refusal(knot, "--"), HasSubstr("100025000"));
 }
 
 TEST(CheckSamples, counts_in_64_bits) {

@@ -127,12 +127,13 @@ TEST(SceneErrors, exactly_one_alternative_must_be_chosen) {
   });
 }
 
-TEST(SceneErrors, p_and_q_must_make_one_piece) {
+TEST(SceneErrors, a_knot_must_be_one) {
   expect_refused({
-      {knot(R"("p": 2, "q": 4)"), "mesh.knot.p", "2 and 4", "coprime"},
-      {knot(R"("p": 0, "q": 0)"), "mesh.knot.q", "0 and 0", "coprime"},
-      {knot(R"("p": 0, "q": 2)"), "mesh.knot.p", "0 and 2", "coprime"},
-      {knot(R"("p": -6, "q": 9)"), "mesh.knot.q", "-6 and 9", "coprime"},
+      {knot(R"("p": 0, "q": 0)"), "mesh.knot.p and mesh.knot.q", "0", "try"},
+      {knot(R"("tube": 1.5)"), "mesh.knot.tube", "1.5", "mesh.knot.ring"},
+      {knot(R"("convention": "max")"), "mesh.knot.convention", "max", "three"},
+      {knot(R"("convention": "three", "winding": 0.4)"), "mesh.knot.winding", "0.4",
+       "leave it out"},
   });
 }
 

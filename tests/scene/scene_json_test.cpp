@@ -40,7 +40,9 @@ Material unusual_material() {
 /// A scene in which no two numbers agree and none is a default, so that no two fields can swap.
 SceneSpec unusual_scene() {
   SceneSpec scene;
-  scene.mesh = KnotSpec{-5, 7, 2.5, 0.75, 0.125, 301, 17, 11, 3};
+  scene.mesh =
+      KnotSpec{Convention::kBlender, -5, 7, 2.5, 0.75, 0.125, 301, 17, 11, 3, FrameRule::kFrenet,
+               Unwrap::kParameter};
   scene.texture = PlainColor{{0.25, 0.5, 1.0}};
   scene.view.camera = {{1.5, -6.25, 3.75}, {0.1, 0.2, 0.3}, {0.4, 0.6, 0.8}, 33.3};
   scene.view.lights = {PointLight{.position = {-9.5, 8.5, 7.5}, .color = {}, .falloff = {}}};
@@ -49,6 +51,23 @@ SceneSpec unusual_scene() {
   scene.view.material = unusual_material();
   scene.view.image = {321, 123, 5};
   return scene;
+}
+
+TEST(SceneJson, a_convention_brings_its_own_defaults) {
+  const auto knot = [](const std::string& fields) {
+    return std::get<KnotSpec>(read(R"({"mesh": {"knot": {)" + fields + "}}}").mesh);
+  };
+  const KnotSpec three = knot(R"("convention": "three")");
+  EXPECT_EQ(three.winding_radius, 0.5);
+  EXPECT_EQ(three.tube_radius, 0.4);
+  EXPECT_EQ(three.segments, 64);
+  EXPECT_EQ(three.frames, FrameRule::kThree);
+  const KnotSpec large = knot(R"("ring": 10, "tube": 3, "convention": "three")");
+  EXPECT_EQ(large.winding_radius, 5);  // it follows the ring
+  EXPECT_EQ(large.tube_radius, 3);
+  EXPECT_EQ(knot(R"("convention": "babylon")").ring_radius, 2);
+  EXPECT_EQ(knot(R"("convention": "blender")").segments, 99);
+  EXPECT_EQ(knot("").segments, 768);
 }
 
 TEST(SceneJson, every_builtin_scene_reads_back_as_itself) {
@@ -151,8 +170,9 @@ TEST(SceneJson, every_field_of_an_unusual_image_comes_back) {
 
 TEST(SceneJson, fields_are_written_under_their_published_keys) {
   const Json json = Json::parse(scene_to_json(unusual_scene()));
-  EXPECT_EQ(json["mesh"], Json::parse(R"({"knot": {"p": -5, "q": 7, "ring": 2.5, "winding": 0.75,
-      "tube": 0.125, "segments": 301, "sides": 17, "repeat_u": 11, "repeat_v": 3}})"));
+  EXPECT_EQ(json["mesh"], Json::parse(R"({"knot": {"convention": "blender", "p": -5, "q": 7,
+      "ring": 2.5, "winding": 0.75, "tube": 0.125, "segments": 301, "sides": 17, "repeat_u": 11,
+      "repeat_v": 3, "frames": "frenet", "unwrap": "parameter"}})"));
   EXPECT_EQ(json["texture"], Json::parse(R"({"color": [0.25, 0.5, 1.0]})"));
   EXPECT_EQ(json["camera"], Json::parse(R"({"position": [1.5, -6.25, 3.75],
       "target": [0.1, 0.2, 0.3], "up": [0.4, 0.6, 0.8], "fov_degrees": 33.3})"));

@@ -12,7 +12,7 @@ inline Scene small_scene(int size = 96) {
   KnotSpec knot;
   knot.segments = 120;
   knot.sides = 16;
-  Scene scene{flat_mesh(knot_mesh(knot)), bricks(), builtin_scene("figure2")->view};
+  Scene scene{knot_mesh(knot), bricks(), builtin_scene("figure2")->view};
   scene.view.image = {size, size, 1};
   return scene;
 }

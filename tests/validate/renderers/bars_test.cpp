@@ -33,7 +33,7 @@ class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
  protected:
   static Validation run(std::string_view name) {
     const SceneSpec spec = *builtin_scene(name);
-    ValidationJob job{{flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view},
+    ValidationJob job{{knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), spec.view},
                       {},
                       {},
                       programs()};
@@ -104,7 +104,7 @@ Scene odd_scene() {
       texture.at(x, y) = {float(x) / 37.0f, float(y) / 20.0f, float((x * 7 + y * 3) % 11) / 10.0f};
     }
   }
-  Scene scene{flat_mesh(knot_mesh(knot)), texture, {}};
+  Scene scene{knot_mesh(knot), texture, {}};
   scene.view.camera = {{2.5, 1.5, -2.0}, {0.2, 0.1, 0}, {0.3, 1, 0.1}, 52};
   scene.view.lights = {PointLight{.position = {-1, 2, 3},
                                   .color = {},
@@ -152,7 +152,7 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
     const auto value = [&] { return float(random() % 256) / 255.0f; };
     texel = {value(), value(), value()};
   }
-  Scene scene{flat_mesh(knot_mesh(knot)), noise, {}};
+  Scene scene{knot_mesh(knot), noise, {}};
   scene.view.camera = {{0.9, 1.4, -1.9}, {0.1, 0, -0.1}, {0.1, -0.2, 1}, 60};
   scene.view.lights = {PointLight{.position = {-2, -3, 1}, .color = {}, .falloff = {}}};
   scene.view.image = {256, 256, 1};

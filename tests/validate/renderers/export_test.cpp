@@ -34,7 +34,7 @@ double mean_error(const Image& theirs, const Image& ours, bool limited) {
 
 Image own_figure2() {
   const SceneSpec spec = *builtin_scene("figure2");
-  return render({flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view});
+  return render({knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), spec.view});
 }
 
 TEST(Export, pov_scene_renders_as_it_stands) {

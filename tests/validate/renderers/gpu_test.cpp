@@ -20,7 +20,7 @@ Programs programs() {
 }
 
 Scene scene_of(const SceneSpec& spec) {
-  return {flat_mesh(knot_mesh(std::get<KnotSpec>(spec.mesh))), bricks(), spec.view};
+  return {knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), spec.view};
 }
 
 Shot final_shot(const std::string& formula) {
