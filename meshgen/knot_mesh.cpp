@@ -67,45 +67,44 @@ struct Tube {
 void fill_ring(TriangleMesh& mesh, const Tube& tube, std::span<const Column> columns, int ring,
                double radius) {
   const std::size_t segments = tube.frames.size() - 1;  // the last ring is the first to the bit
-  const Frame& frame = tube.frames[std::size_t(ring) % segments];
+  // Copies, which no store into the mesh can change.
+  const Frame frame = tube.frames[std::size_t(ring) % segments];
+  const double u = tube.us[std::size_t(ring)];
   std::size_t at = tube.base + std::size_t(ring) * columns.size();
   for (const Column& column : columns) {
     const Vec3d normal = frame.across * column.c + frame.over * column.s;
     mesh.positions[at] = frame.position + normal * radius;
     mesh.normals[at] = normal;
-    mesh.uvs[at] = {tube.us[std::size_t(ring)], column.v};
+    mesh.uvs[at] = {u, column.v};
     ++at;
   }
 }
 
-/// The two triangles of quad (i, j) with corners a (i, j), b (i + 1, j), c (i + 1, j + 1),
-/// d (i, j + 1).
-using Cut = std::array<Triangle, 2> (*)(std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                                        std::uint32_t d);
+/// The corners of the two halves of quad (i, j): 0 is (i, j), 1 (i + 1, j), 2 (i + 1, j + 1),
+/// 3 (i, j + 1).
+using Cut = std::array<std::array<std::uint8_t, 3>, 2>;
 
 Cut cut_of(Convention convention) {
-  using U = std::uint32_t;
-  using Halves = std::array<Triangle, 2>;
   switch (convention) {
     case Convention::kThree:
-      return [](U a, U b, U c, U d) { return Halves{{{a, b, d}, {b, c, d}}}; };
+      return {{{0, 1, 3}, {1, 2, 3}}};
     case Convention::kBabylon:
-      return [](U a, U b, U c, U d) { return Halves{{{d, b, a}, {d, c, b}}}; };
+      return {{{3, 1, 0}, {3, 2, 1}}};
     default:
-      return [](U a, U b, U c, U d) { return Halves{{{a, b, c}, {a, c, d}}}; };
+      return {{{0, 1, 2}, {0, 2, 3}}};
   }
 }
 
 void fill_quads(TriangleMesh& mesh, const GridLayout& layout, Cut cut, std::size_t base,
                 std::size_t first, int ring) {
-  std::size_t at = first + 2 * std::size_t(ring) * std::size_t(layout.sides);
+  Triangle* at = &mesh.triangles[first + 2 * std::size_t(ring) * std::size_t(layout.sides)];
   const std::uint32_t row = std::uint32_t(base + std::size_t(ring) * std::size_t(layout.columns));
   const std::uint32_t next = row + std::uint32_t(layout.columns);
   for (int j = 0; j < layout.sides; ++j) {
-    const std::uint32_t here = std::uint32_t(j), right = std::uint32_t((j + 1) % layout.columns);
-    for (const Triangle& half : cut(row + here, next + here, next + right, row + right)) {
-      mesh.triangles[at++] = half;
-    }
+    const std::uint32_t here = std::uint32_t(j);
+    const std::uint32_t right = j + 1 == layout.columns ? 0 : here + 1;
+    const std::array<std::uint32_t, 4> corners{row + here, next + here, next + right, row + right};
+    for (const auto& [a, b, c] : cut) *at++ = {corners[a], corners[b], corners[c]};
   }
 }
 

@@ -22,6 +22,17 @@ Vec3d torus_normal(const Curve& curve, double t) {
   return {std::cos(psi) * std::cos(phi), std::cos(psi) * std::sin(phi), std::sin(psi)};
 }
 
+/// cos(k (i + 1/2) pi / degree) in row i, column k.
+template <int degree>
+std::array<std::array<double, degree>, degree> chebyshev_cosines() {
+  std::array<std::array<double, degree>, degree> table;
+  for (int i = 0; i < degree; ++i) {
+    const double angle = kPi * (i + 0.5) / degree;
+    for (int k = 0; k < degree; ++k) table[std::size_t(i)][std::size_t(k)] = std::cos(k * angle);
+  }
+  return table;
+}
+
 }  // namespace
 
 PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function) {
@@ -35,12 +46,12 @@ PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function
 void PeriodicIntegral::fit(const std::function<double(double)>& function, double from, double width,
                            double tolerance, int depth) {
   constexpr int kDeepest = 20;  // a panel of 3e-6 radians
+  static const auto kCosines = chebyshev_cosines<kDegree>();
   std::array<double, kDegree + 2> a{};
-  for (int i = 0; i < kDegree; ++i) {
-    const double angle = kPi * (i + 0.5) / kDegree;
-    const double value = function(from + width * (std::cos(angle) + 1) / 2);
-    for (int k = 0; k < kDegree; ++k) {
-      a[std::size_t(k)] += value * std::cos(k * angle) * (k == 0 ? 1.0 : 2.0) / kDegree;
+  for (const auto& cosines : kCosines) {
+    const double value = function(from + width * (cosines[1] + 1) / 2);
+    for (std::size_t k = 0; k < kDegree; ++k) {
+      a[k] += value * cosines[k] * (k == 0 ? 1.0 : 2.0) / kDegree;
     }
   }
   const double tail = std::abs(a[kDegree - 1]) + std::abs(a[kDegree - 2]);
@@ -82,22 +93,25 @@ Spine::Spine(const Curve& curve)
     : curve_(curve),
       speed_([curve](double psi) { return speed_at_meridian(curve, psi); }),
       slowness_([curve](double psi) { return 1 / speed_at_meridian(curve, psi); }) {
+  speed_start_ = speed_(curve_.meridian);
+  slowness_start_ = slowness_(curve_.meridian);
   length_ = arc_length(2 * kPi);
   const double turn = least_twist(2 * kPi);
   holonomy_ = std::remainder(turn, 2 * kPi);
   turns_ = int(std::lround((turn - holonomy_) / (2 * kPi)));
 }
 
-double Spine::integral_of(const PeriodicIntegral& integral, double t) const {
-  return (integral(curve_.q * t + curve_.meridian) - integral(curve_.meridian)) / curve_.q;
+double Spine::integral_of(const PeriodicIntegral& integral, double start, double t) const {
+  return (integral(curve_.q * t + curve_.meridian) - start) / curve_.q;
 }
 
 double Spine::arc_length(double t) const {
-  return curve_.q == 0 ? t * speed(curve_, 0) : integral_of(speed_, t);
+  return curve_.q == 0 ? t * speed(curve_, 0) : integral_of(speed_, speed_start_, t);
 }
 
 double Spine::least_twist(double t) const {
-  return curve_.q == 0 ? 0 : curve_.p * curve_.q * curve_.ring_radius * integral_of(slowness_, t);
+  if (curve_.q == 0) return 0;
+  return curve_.p * curve_.q * curve_.ring_radius * integral_of(slowness_, slowness_start_, t);
 }
 
 Frame Spine::frame(double t) const {

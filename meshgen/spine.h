@@ -64,11 +64,12 @@ class Spine {
   int turns() const { return turns_; }
 
  private:
-  double integral_of(const PeriodicIntegral& integral, double t) const;
+  double integral_of(const PeriodicIntegral& integral, double start, double t) const;
   double least_twist(double t) const;
 
   Curve curve_;
   PeriodicIntegral speed_, slowness_;
+  double speed_start_ = 0, slowness_start_ = 0;  // the integrals up to the meridian's phase
   double length_ = 0, holonomy_ = 0;
   int turns_ = 0;
 };

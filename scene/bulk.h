@@ -31,7 +31,7 @@ struct BulkAllocator {
     const std::size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
     void* memory = std::aligned_alloc(kHugePage, whole);
     if (!memory) throw std::bad_alloc();
-    ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);  // a wish, no more
+    ::madvise(memory, whole, MADV_HUGEPAGE);  // a wish, no more
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) {

@@ -1,0 +1,214 @@
+"""Runs lumaknot's benches beside their peers and prints the ratios with the bars that they are held to.
+
+    report.py --build FOLDER --peers FOLDER [--rounds N] [--json FILE]
+
+FOLDER of --build is where cmake built; of --peers, where npm installed three. Every round runs all
+of ours and all of theirs, one after the other; a figure is the median over rounds, and its spread
+the least and the most of them. Exit status 0: every bar is met; 1: one is not, or was not measured.
+"""
+
+import argparse
+import json
+import math
+import os
+import statistics
+import sys
+import tempfile
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from rounds import Turns
+
+SIZES = (10**4, 10**5, 10**6, 10**7)
+
+
+@dataclass
+class Row:
+    """A line of the table; `values` has one number a round."""
+    what: str
+    values: list
+    unit: str = ""
+    bar: str = ""
+    met: bool = None
+    beside: str = ""
+
+    def median(self):
+        return statistics.median(self.values)
+
+
+def at_least(row, bar):
+    row.bar, row.met = f">= {bar:g}{row.unit}", row.median() >= bar
+    return row
+
+
+def at_most(row, bar):
+    row.bar, row.met = f"<= {bar:g}{row.unit}", row.median() <= bar
+    return row
+
+
+def quotient(samples, above, below):
+    """One quotient a round."""
+    return [a / b for a, b in zip(samples.medians(above), samples.medians(below), strict=True)]
+
+
+def typical(samples, name):
+    return statistics.median(samples.medians(name))
+
+
+def three_rows(samples):
+    for convention, family in (("", "one_thread"), (", convention three", "three_one_thread")):
+        for size in SIZES[:3]:
+            ours, theirs = f"make_knot/{family}/triangles:{size}", f"three.js/triangles:{size}"
+            if samples.counters[ours] != samples.counters[theirs]:
+                sys.exit(f"{ours} and {theirs} made other meshes: {samples.counters[ours]}, "
+                         f"{samples.counters[theirs]}")
+            row = Row(f"{size:.0e} triangles on 1 thread{convention}: faster than three.js",
+                      quotient(samples, theirs, ours), " x")
+            row.beside = f"{typical(samples, theirs):.3g} : {typical(samples, ours):.3g} ms"
+            yield at_least(row, 20)
+
+
+def large_rows(samples):
+    one, two = (f"make_knot/{n}_{t}/triangles:{SIZES[-1]}"
+                for n, t in (("one", "thread"), ("two", "threads")))
+    seconds = [ms / 1000 for ms in samples.medians(two)]
+    yield at_most(Row("1e+07 triangles on 2 threads", seconds, " s"), 1)
+    yield Row("1e+07 triangles: 2 threads faster than 1", quotient(samples, one, two), " x")
+
+
+def exponent(times):
+    """The slope of log time over log size, least squares."""
+    return statistics.linear_regression([math.log(n) for n in SIZES],
+                                        [math.log(t) for t in times]).slope
+
+
+def linear_rows(samples):
+    names = [f"make_knot/one_thread/triangles:{size}" for size in SIZES]
+    rounds = list(zip(*(samples.medians(name) for name in names), strict=True))
+    each = [[1e6 * t / n for t, n in zip(times, SIZES, strict=True)] for times in rounds]
+    for index, size in enumerate(SIZES):
+        yield Row(f"{size:.0e} triangles on 1 thread, each", [ns[index] for ns in each], " ns")
+    yield at_most(Row("dearest over cheapest of these", [max(ns) / min(ns) for ns in each], " x"),
+                  1.1)
+    slope = Row("exponent of time over triangles", [exponent(times) for times in rounds],
+                bar="1 +- 0.1")
+    slope.met = abs(slope.median() - 1) <= 0.1
+    yield slope
+    rms = [100 * r for r in samples.medians("make_knot/one_thread rms")]
+    yield at_most(Row("RMS of the linear fit", rms, " %"), 10)
+
+
+def memory_rows(samples):
+    for name, what in (("mesh", "making"), ("ply", "lumaknot mesh -o .ply"),
+                       ("glb", "lumaknot mesh -o .glb"), ("obj", "lumaknot mesh -o .obj")):
+        row = Row(f"1e+07 triangles, {what}: peak memory over the flat mesh's",
+                  samples.medians(f"memory/{name}") if f"memory/{name}" in samples else [], " x")
+        yield at_most(row, 1.5) if row.values else lost(row, samples, f"memory/{name}", "<= 1.5 x")
+
+
+def lost(row, samples, name, bar):
+    """A row that could not be measured: not met, and why."""
+    row.bar, row.met = bar, False
+    row.beside = samples.failures.get(name, "not measured")
+    return row
+
+
+def speeds(samples, name):
+    """Megabytes a second, one a round."""
+    return [samples.counters[name]["bytes"] / ms / 1000 for ms in samples.medians(name)]
+
+
+def file_rows(samples):
+    disk = statistics.median(speeds(samples, "write_bytes"))
+    yield Row("plain write() of a .ply's bytes", speeds(samples, "write_bytes"), " MB/s")
+    for name in ("ply", "glb"):
+        for threads in ("one_thread", "two_threads"):
+            key = f"write_knot/{name}_{threads}"
+            row = Row(f"1e+06 triangles to .{name}, {threads.replace('_', ' ')}", [], " MB/s")
+            if key not in samples:
+                yield lost(row, samples, key, ">= 500 MB/s")
+                continue
+            row.values = speeds(samples, key)
+            row.beside = f"{row.median() / disk:.2f} of write()"
+            yield at_least(row, min(500, round(0.9 * disk)))
+
+
+def obj_rows(samples):
+    theirs = "write_open_mesh"
+    for threads in ("one_thread", "two_threads"):
+        ours = f"write_knot/obj_{threads}"
+        row = Row(f"1e+06 triangles to .obj, {threads.replace('_', ' ')}: faster than OpenMesh",
+                  quotient(samples, theirs, ours), " x")
+        bytes_ = [samples.counters[name]["bytes"] / 1e6 for name in (theirs, ours)]
+        row.beside = (f"{typical(samples, theirs):.0f} : {typical(samples, ours):.0f} ms, "
+                      f"{bytes_[0]:.0f} : {bytes_[1]:.0f} MB")
+        yield at_least(row, 10)
+
+
+def other_rows(samples):
+    """What no bar is set for."""
+    for name in sorted(samples.rounds):
+        if name.startswith("read_knot/"):
+            yield Row(name.replace("_", " "), speeds(samples, name), " MB/s")
+        elif name.split("/")[0] in ("measure_deviation", "choose_grid", "find_clearance"):
+            yield Row(name.replace("_", " "), samples.medians(name), " ms")
+
+
+def rows_of(samples):
+    for rows in (three_rows, large_rows, linear_rows, memory_rows, file_rows, obj_rows, other_rows):
+        yield from rows(samples)
+    for name, why in samples.failures.items():
+        yield Row(name, [], met=False, beside=why)
+
+
+def line(row):
+    values = f"{row.median():.3g}{row.unit}" if row.values else "-"
+    spread = f"{min(row.values):.3g} ... {max(row.values):.3g}" if row.values else "-"
+    verdict = {None: "", True: "met", False: "MISSED"}[row.met]
+    return f"| {row.what} | {values} | {spread} | {row.bar} | {verdict} | {row.beside} |"
+
+
+def table(rows):
+    head = ["| what | median | rounds | bar | | |", "|---|---|---|---|---|---|"]
+    return "\n".join(head + [line(row) for row in rows])
+
+
+def measure(arguments):
+    with tempfile.TemporaryDirectory(dir=arguments.build) as folder:
+        turns = Turns(arguments.build, arguments.peers, folder)
+        for number in range(arguments.rounds):
+            print(f"round {number + 1} of {arguments.rounds}", file=sys.stderr)
+            turns.benches("make_knot")
+            turns.three_js()
+            turns.memory()
+            turns.benches("write_|read_")
+            turns.benches("measure_|choose_|find_")
+        return turns
+
+
+def flags():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", required=True)
+    parser.add_argument("--peers", required=True)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--json", type=Path)
+    return parser.parse_args()
+
+
+def main():
+    arguments = flags()
+    turns = measure(arguments)
+    rows = list(rows_of(turns.samples))
+    print(table(rows))
+    load = os.getloadavg()[0]
+    print(f"\n{turns.context['num_cpus']} cores, load {load:.1f}, three.js r"
+          f"{turns.context['three.js']}, {arguments.rounds} rounds")
+    if arguments.json:
+        told = {"context": turns.context, "rows": [asdict(row) for row in rows],
+                "rounds": turns.samples.rounds, "counters": turns.samples.counters}
+        arguments.json.write_text(json.dumps(told, indent=2) + "\n", encoding="utf-8")
+    return 0 if all(row.met is not False for row in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
