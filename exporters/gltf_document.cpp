@@ -41,7 +41,7 @@ struct Bounds {
   Vec3d least, greatest;
 };
 
-Bounds bounds_of(const std::vector<Vec3d>& positions) {
+Bounds bounds_of(const Bulk<Vec3d>& positions) {
   Bounds bounds{positions[0], positions[0]};
   for (const Vec3d& p : positions) {
     bounds.least = {std::min(bounds.least.x, p.x), std::min(bounds.least.y, p.y),
@@ -79,7 +79,7 @@ void write_padding(std::ostream& stream, std::uint64_t size, char value) {
 }
 
 template <class Index>
-void write_indices(std::ostream& stream, const std::vector<Triangle>& triangles) {
+void write_indices(std::ostream& stream, const Bulk<Triangle>& triangles) {
   write_rows(stream, triangles.size(), [&](std::size_t i) {
     const Triangle& t = triangles[i];
     return std::array<Index, 3>{Index(t[0]), Index(t[1]), Index(t[2])};
