@@ -10,6 +10,7 @@
 #include "cli/terminal.h"
 #include "exporters/blender.h"
 #include "exporters/gltf.h"
+#include "exporters/obj_package.h"
 #include "exporters/pov.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -54,6 +55,10 @@ std::vector<std::string> export_python(const Scene& scene, const ExportFlags& fl
   return write(flags, blender_package(scene, {&shot, 1}, fs::path(flags.output).stem().string()));
 }
 
+std::vector<std::string> export_obj(const Scene& scene, const ExportFlags& flags) {
+  return write_obj_scene(flags.output, scene, "--output");
+}
+
 /// A .blend file holds all that it needs; Blender itself makes it.
 std::vector<std::string> export_blend(const Scene& scene, const ExportFlags& flags) {
   save_blend(scene, final_shot(scene), flags.output, flags.programs, "--output");
@@ -78,13 +83,15 @@ constexpr Format kFormats[] = {
     {".blend", export_blend},
     {".glb", export_gltf<glb_package>},
     {".gltf", export_gltf<gltf_package>},
+    {".obj", export_obj},
 };
 
 const Format& format_of(const std::string& output) {
   for (const Format& format : kFormats) {
     if (fs::path(output).extension() == format.extension) return format;
   }
-  throw Error(fmt::format("--output {} must end in .pov, .py, .blend, .glb or .gltf", output));
+  throw Error(
+      fmt::format("--output {} must end in .pov, .py, .blend, .glb, .gltf or .obj", output));
 }
 
 void run(const ExportFlags& flags) {
@@ -102,12 +109,12 @@ void run(const ExportFlags& flags) {
 void add_export_command(CLI::App& program) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* command =
-      program.add_subcommand("export", "Write a scene for POV-Ray, Blender or glTF");
+      program.add_subcommand("export", "Write a scene for POV-Ray, Blender, glTF or OBJ");
   command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
       ->capture_default_str();
   command
       ->add_option("-o,--output", flags->output,
-                   "a .pov, .py (Blender script), .blend, .glb or .gltf file")
+                   "a .pov, .py (Blender script), .blend, .glb, .gltf or .obj file")
       ->required();
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
@@ -117,7 +124,8 @@ void add_export_command(CLI::App& program) {
       "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
       "  lumaknot export figure2 -o knot.blend      needs Blender\n"
       "  lumaknot export figure2 -o knot.glb        glTF 2.0 in one file; .gltf: with its arrays\n"
-      "                                             and image beside it");
+      "                                             and image beside it\n"
+      "  lumaknot export figure2 -o knot.obj        with knot.mtl and its image beside it");
   command->callback([flags] {
     const InterruptGuard guard;
     run(*flags);

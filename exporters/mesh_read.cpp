@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string>
 
+#include "exporters/gltf_read.h"
 #include "exporters/mesh_file.h"
 #include "exporters/mesh_readers.h"
 #include "scene/atomic_file.h"
@@ -12,14 +13,34 @@
 namespace lumaknot {
 namespace {
 
+/// The polygons of the file at `path`, which errors call `label` with its path.
+using Read = Polygons (*)(const std::filesystem::path& path, std::string_view label);
+
+std::string name_of(const std::filesystem::path& path, std::string_view label) {
+  return fmt::format("{} {}", label, path.string());
+}
+
+/// Reads a file that holds all of its mesh.
+template <Polygons (*read)(std::string_view bytes, std::string_view name)>
+Polygons read_whole(const std::filesystem::path& path, std::string_view label) {
+  const std::string bytes = read_file(path, label), name = name_of(path, label);
+  if (bytes.empty()) throw Error(fmt::format("{} is empty; export the mesh again", name));
+  return read(bytes, name);
+}
+
+Polygons read_with_buffers(const std::filesystem::path& path, std::string_view label) {
+  return read_gltf(path, name_of(path, label));
+}
+
 struct MeshFormat {
   std::string_view extension;
-  Polygons (*read)(std::string_view bytes, std::string_view name);
+  Read read;
 };
 
 constexpr MeshFormat kFormats[] = {
-    {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl}, {".off", read_off},
-    {".om", read_om},   {".pov", read_pov}, {".inc", read_pov},
+    {".obj", read_whole<read_obj>}, {".ply", read_whole<read_ply>}, {".stl", read_whole<read_stl>},
+    {".off", read_whole<read_off>}, {".om", read_whole<read_om>},   {".pov", read_whole<read_pov>},
+    {".inc", read_whole<read_pov>}, {".glb", read_with_buffers},    {".gltf", read_with_buffers},
 };
 
 const MeshFormat& format_of(const std::filesystem::path& path, std::string_view name) {
@@ -36,11 +57,8 @@ const MeshFormat& format_of(const std::filesystem::path& path, std::string_view 
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path, bool needs_uvs, std::string_view label) {
-  const std::string name = fmt::format("{} {}", label, path.string());
-  const MeshFormat& format = format_of(path, name);
-  const std::string bytes = read_file(path, label);
-  if (bytes.empty()) throw Error(fmt::format("{} is empty; export the mesh again", name));
-  return triangulated(format.read(bytes, name), needs_uvs, name);
+  const std::string name = name_of(path, label);
+  return triangulated(format_of(path, name).read(path, label), needs_uvs, name);
 }
 
 }  // namespace lumaknot

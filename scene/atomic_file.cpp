@@ -49,16 +49,25 @@ void AtomicFile::commit() {
   temporary_.clear();
 }
 
-void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write,
+                std::string_view flag) {
   AtomicFile file(path, flag);
   std::ofstream stream(file.temporary(), std::ios::binary);
-  stream.write(bytes.data(), std::streamsize(bytes.size()));
+  write(stream);
   stream.close();
-  if (!stream) fail(flag, path, std::strerror(errno));
+  // Another thread may have written, so errno does not tell why.
+  if (!stream) fail(flag, path, "its disk took only a part");
   file.commit();
 }
 
 void check_writable(const fs::path& path, std::string_view flag) { AtomicFile(path, flag); }
+
+void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
+  const auto write = [&](std::ostream& stream) {
+    stream.write(bytes.data(), std::streamsize(bytes.size()));
+  };
+  write_file(path, write, flag);
+}
 
 std::string read_file(const fs::path& path, std::string_view label) {
   std::error_code ignored;

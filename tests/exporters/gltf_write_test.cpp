@@ -21,7 +21,7 @@ std::string glb(const TriangleMesh& mesh) {
   return stream.str();
 }
 
-TriangleMesh small_mesh() { return flat_mesh(knot_mesh(testing::small_knot())); }
+TriangleMesh small_mesh() { return knot_mesh(testing::small_knot()); }
 
 /// `count` vertices on a line, and triangles that name the first and the last.
 TriangleMesh mesh_of(std::size_t count) {
