@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <span>
 
 #include "exporters/ordered_output.h"
 #include "scene/triangle_mesh.h"
@@ -37,7 +38,7 @@ inline std::size_t face_count(const TriangleMesh& mesh, bool quads) {
 template <class Format>
 void write_faces(std::ostream& stream, const TriangleMesh& mesh, bool quads, std::size_t face_bytes,
                  std::size_t corner_bytes, const Format& format) {
-  const std::vector<Triangle>& triangles = mesh.triangles;
+  const std::span<const Triangle> triangles = mesh.triangles;
   if (quads) {
     write_items(stream, face_count(mesh, true), face_bytes + 4 * corner_bytes,
                 [&](std::size_t k, char* at) {

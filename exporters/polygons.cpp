@@ -57,7 +57,7 @@ void check_uvs(const Polygons& polygons, std::string_view name) {
 }
 
 /// Triangles whose numbers are those of corners.
-using CornerTriangles = std::vector<Triangle>;
+using CornerTriangles = Bulk<Triangle>;
 
 CornerTriangles cut(const Polygons& polygons, std::string_view name) {
   CornerTriangles triangles;
@@ -169,7 +169,7 @@ class Vertices {
     return index;
   }
 
-  TriangleMesh take(std::vector<Triangle> triangles) {
+  TriangleMesh take(Bulk<Triangle> triangles) {
     mesh_.triangles = std::move(triangles);
     return std::move(mesh_);
   }

@@ -23,7 +23,7 @@ std::uint64_t hash(const Position& p) {
 }
 
 /// The first vertex with the position of vertex `index`, which is put in `table` when it is that.
-std::uint32_t first_alike(const std::vector<Vec3d>& positions, std::uint32_t index,
+std::uint32_t first_alike(std::span<const Vec3d> positions, std::uint32_t index,
                           std::vector<std::uint32_t>& table) {
   const Position position = narrowed(positions[index]);
   std::size_t slot = hash(position) * table.size() >> 32;
@@ -35,7 +35,7 @@ std::uint32_t first_alike(const std::vector<Vec3d>& positions, std::uint32_t ind
 
 }  // namespace
 
-Weld weld(const std::vector<Vec3d>& positions) {
+Weld weld(std::span<const Vec3d> positions) {
   Weld weld;
   weld.position.resize(positions.size());
   weld.repeats.resize(positions.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/vec.h"
@@ -17,6 +18,6 @@ struct Weld {
 
 /// Welds what is equal in float32; 0 and -0 are. At most 10 bytes a vertex are in use, 4 of them
 /// kept.
-Weld weld(const std::vector<Vec3d>& positions);
+Weld weld(std::span<const Vec3d> positions);
 
 }  // namespace lumaknot

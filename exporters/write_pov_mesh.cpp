@@ -8,7 +8,7 @@ namespace lumaknot {
 namespace {
 
 template <class Vector>
-void write_vectors(std::ostream& stream, std::string_view name, const std::vector<Vector>& all) {
+void write_vectors(std::ostream& stream, std::string_view name, const Bulk<Vector>& all) {
   stream << fmt::format("  {} {{ {}\n", name, all.size());
   write_items(stream, all.size(), 3 * (kFloatBytes + 1) + 2, [&](std::size_t i, char* at) {
     *at++ = '<';
@@ -17,7 +17,7 @@ void write_vectors(std::ostream& stream, std::string_view name, const std::vecto
   stream << "  }\n";
 }
 
-void write_triangles(std::ostream& stream, const std::vector<Triangle>& triangles) {
+void write_triangles(std::ostream& stream, const Bulk<Triangle>& triangles) {
   stream << fmt::format("  face_indices {{ {}\n", triangles.size());
   write_items(stream, triangles.size(), 3 * (kIntegerBytes + 1) + 2, [&](std::size_t i, char* at) {
     char between = '<';

@@ -73,8 +73,8 @@ TEST(Weld, copies_of_a_position_get_the_number_of_its_first_use) {
 }
 
 TEST(Weld, knot_has_as_many_positions_as_vertices_of_its_closed_surface) {
-  const ClosedMesh closed = knot_mesh(testing::small_knot());
-  EXPECT_EQ(weld(flat_mesh(closed).positions).count, closed.n_vertices());
+  const TriangleMesh mesh = knot_mesh(testing::small_knot());
+  EXPECT_EQ(weld(mesh.positions).count, closed_mesh(testing::small_knot(), mesh).n_vertices());
   EXPECT_EQ(weld({}).count, 0u);
 }
 

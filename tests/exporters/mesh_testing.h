@@ -152,12 +152,14 @@ std::string written_by_openmesh(const Mesh& mesh, std::string_view extension,
   return stream.str();
 }
 
-inline ClosedMesh tiny_knot() {
+inline KnotSpec tiny_spec() {
   KnotSpec knot;
   knot.segments = 5;
   knot.sides = 3;
-  return knot_mesh(knot);
+  return knot;
 }
+
+inline ClosedMesh tiny_knot() { return closed_mesh(tiny_spec(), knot_mesh(tiny_spec())); }
 
 /// Face by face, corner by corner. What was written are float32, or nine digits.
 inline void expect_same_as_knot(const TriangleMesh& mesh, const ClosedMesh& knot,
@@ -185,7 +187,7 @@ inline std::string knot_om() {
 }
 
 inline std::string knot_pov() {
-  return "mesh2 {\n" + pov_mesh(flat_mesh(tiny_knot())) + "  no_shadow\n}\n";
+  return "mesh2 {\n" + pov_mesh(knot_mesh(tiny_spec())) + "  no_shadow\n}\n";
 }
 
 struct MeshSample {

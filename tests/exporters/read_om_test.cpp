@@ -20,7 +20,7 @@ TEST(ReadOm, a_knot_comes_back_with_its_normals) {
 TEST(ReadOm, texture_coordinates_of_corners_come_back) {
   const ClosedMesh knot = testing::tiny_knot();
   const TriangleMesh mesh = read_bytes(read_om, testing::knot_om(), true);
-  const TriangleMesh flat = flat_mesh(knot);
+  const TriangleMesh flat = knot_mesh(testing::tiny_spec());
   ASSERT_EQ(mesh.triangles.size(), flat.triangles.size());
   EXPECT_EQ(mesh.positions.size(), flat.positions.size());  // the seam is there
   for (const auto face : knot.faces()) {

@@ -10,7 +10,7 @@ using testing::read_bytes;
 using testing::refusal;
 
 TEST(ReadPov, the_exported_knot_comes_back_in_float32) {
-  const TriangleMesh knot = flat_mesh(testing::tiny_knot());
+  const TriangleMesh knot = knot_mesh(testing::tiny_spec());
   const TriangleMesh mesh = read_bytes(read_pov, testing::knot_pov(), true);
   ASSERT_EQ(mesh.triangles.size(), knot.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
