@@ -119,8 +119,9 @@ std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule, int segments)
 
 double twist(const std::vector<Frame>& frames) {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
-    sum += twist_between(frames[i], frames[i + 1]);
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+    sum -= twist_between(frames[i], frames[i + 1]);  // across to over: about minus the tangent
+  }
   return sum;
 }
 
