@@ -9,6 +9,8 @@
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "exporters/blender.h"
+#include "exporters/gltf.h"
+#include "exporters/obj_package.h"
 #include "exporters/pov.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -53,10 +55,22 @@ std::vector<std::string> export_python(const Scene& scene, const ExportFlags& fl
   return write(flags, blender_package(scene, {&shot, 1}, fs::path(flags.output).stem().string()));
 }
 
+std::vector<std::string> export_obj(const Scene& scene, const ExportFlags& flags) {
+  return write_obj_scene(flags.output, scene, "--output");
+}
+
 /// A .blend file holds all that it needs; Blender itself makes it.
 std::vector<std::string> export_blend(const Scene& scene, const ExportFlags& flags) {
   save_blend(scene, final_shot(scene), flags.output, flags.programs, "--output");
   return {fs::path(flags.output).filename().string()};
+}
+
+/// Writes what `make` makes of the scene: glb_package() or gltf_package().
+template <Package make(const Scene&, const std::string&)>
+std::vector<std::string> export_gltf(const Scene& scene, const ExportFlags& flags) {
+  const Package package = make(scene, fs::path(flags.output).stem().string());
+  if (!flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", kGltfShortfall);
+  return write(flags, package);
 }
 
 struct Format {
@@ -64,18 +78,26 @@ struct Format {
   std::vector<std::string> (*write)(const Scene&, const ExportFlags&);
 };
 constexpr Format kFormats[] = {
-    {".pov", export_pov}, {".py", export_python}, {".blend", export_blend}};
+    {".pov", export_pov},
+    {".py", export_python},
+    {".blend", export_blend},
+    {".glb", export_gltf<glb_package>},
+    {".gltf", export_gltf<gltf_package>},
+    {".obj", export_obj},
+};
 
 const Format& format_of(const std::string& output) {
   for (const Format& format : kFormats) {
     if (fs::path(output).extension() == format.extension) return format;
   }
-  throw Error(fmt::format("--output {} must end in .pov, .py or .blend", output));
+  throw Error(
+      fmt::format("--output {} must end in .pov, .py, .blend, .glb, .gltf or .obj", output));
 }
 
 void run(const ExportFlags& flags) {
   const Format& format = format_of(flags.output);
   check_package_name(flags.output, "--output");
+  check_writable(flags.output, "--output");
   const Scene scene = load_scene(read_scene(flags.scene));
   const std::vector<std::string> files = format.write(scene, flags);
   if (flags.out.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));
@@ -86,10 +108,13 @@ void run(const ExportFlags& flags) {
 
 void add_export_command(CLI::App& program) {
   auto flags = std::make_shared<ExportFlags>();
-  CLI::App* command = program.add_subcommand("export", "Write a scene for POV-Ray or Blender");
+  CLI::App* command =
+      program.add_subcommand("export", "Write a scene for POV-Ray, Blender, glTF or OBJ");
   command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
       ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "a .pov, .py (Blender script) or .blend file")
+  command
+      ->add_option("-o,--output", flags->output,
+                   "a .pov, .py (Blender script), .blend, .glb, .gltf or .obj file")
       ->required();
   add_program_flags(*command, flags->programs);
   add_output_flags(*command, flags->out);
@@ -97,7 +122,10 @@ void add_export_command(CLI::App& program) {
       "Examples:\n"
       "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
       "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
-      "  lumaknot export figure2 -o knot.blend      needs Blender");
+      "  lumaknot export figure2 -o knot.blend      needs Blender\n"
+      "  lumaknot export figure2 -o knot.glb        glTF 2.0 in one file; .gltf: with its arrays\n"
+      "                                             and image beside it\n"
+      "  lumaknot export figure2 -o knot.obj        with knot.mtl and its image beside it");
   command->callback([flags] {
     const InterruptGuard guard;
     run(*flags);

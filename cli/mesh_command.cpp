@@ -27,7 +27,7 @@ struct MeshFlags {
   std::string output;
   MeshFileOptions file;
   std::optional<double> max_error;
-  bool measure = false, strict = false, tangents = false;
+  bool measure = false, strict = false;
   Output out;
 };
 
@@ -87,7 +87,7 @@ void run(const MeshFlags& flags) {
   check_clearance(knot, flags);
   if (flags.max_error) choose_grid(knot, flags);
   TriangleMesh mesh = knot_mesh(knot);
-  if (flags.tangents) mesh.tangents = tangents(mesh);
+  if (flags.file.tangents) mesh.tangents = tangents(mesh);
   if (!flags.output.empty()) write_mesh(flags.output, mesh, flags.file, "--output");
   tell(knot, mesh, flags);
 }
@@ -107,7 +107,7 @@ void add_mesh_command(CLI::App& program) {
                       "the mesh file: .obj .ply .stl .off .om .glb .gltf .inc");
   command->add_flag("--ascii", flags->file.ascii, ".ply and .stl as text");
   command->add_flag("--quads", flags->file.quads, "keep quads: .obj .ply .off");
-  command->add_flag("--tangents", flags->tangents, "tangents for normal mapping: .glb .gltf");
+  command->add_flag("--tangents", flags->file.tangents, "tangents for normal mapping: .glb .gltf");
   add_output_flags(*command, flags->out);
   command->footer(
       "Defaults are lumaknot's; other conventions have their own.\n"

@@ -10,6 +10,7 @@
 #include "cli/terminal.h"
 #include "exporters/image_file.h"
 #include "render/render.h"
+#include "scene/atomic_file.h"
 
 namespace lumaknot {
 namespace {
@@ -21,6 +22,7 @@ struct RenderFlags {
 
 void run(const RenderFlags& flags) {
   check_image_extension(flags.output, "--output");
+  check_writable(flags.output, "--output");
   const Scene scene = load_scene(read_scene(flags.scene));
   const auto start = std::chrono::steady_clock::now();
   const Image image = render(scene, progress_bar(flags.out, "render"));

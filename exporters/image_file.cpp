@@ -1,16 +1,20 @@
 #include "exporters/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
+#include "exporters/image_module.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 
@@ -18,15 +22,8 @@ namespace lumaknot {
 namespace {
 
 constexpr long long kMostTexels = 1LL << 28;
-
-std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path) {
-  // Unassociated alpha would otherwise be multiplied into colours that are used as they are.
-  OIIO::ImageSpec config;
-  config["oiio:UnassociatedAlpha"] = 1;
-  auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  return input;
-}
+constexpr int kSmall = 6;  // zlib's usual level
+constexpr int kFast = 2;   // a report holds dozens of pictures
 
 /// Standard error closed for a while: libpng writes there what we tell in our own words.
 class QuietStandardError {
@@ -46,15 +43,6 @@ class QuietStandardError {
   int saved_, null_;
 };
 
-std::vector<float> read_floats(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec& spec = input.spec();
-  std::vector<float> values(std::size_t(spec.width) * spec.height * spec.nchannels);
-  if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, values.data())) {
-    throw std::runtime_error(input.geterror());
-  }
-  return values;
-}
-
 /// Integers of `bits` bits nearest to a value in [0, 1].
 template <class Integer>
 Integer quantised(float value) {
@@ -70,25 +58,6 @@ bool is_eight_bit(const TextureImage& texture) {
   });
 }
 
-/// The bytes of a PNG file; `values` are width * height * channels integers.
-template <class Integer>
-std::string encode_png(int width, int height, int channels, const std::vector<Integer>& values,
-                       int compression = 6) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  auto output = OIIO::ImageOutput::create("memory.png");
-  OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<Integer>::value);
-  spec["oiio:Gamma"] = 1.0f;
-  spec["oiio:UnassociatedAlpha"] = 1;
-  spec["png:compressionLevel"] = compression;
-  output->set_ioproxy(&memory);
-  if (!output->open("memory.png", spec) || !output->write_image(spec.format, values.data()) ||
-      !output->close()) {
-    throw std::runtime_error("PNG: " + output->geterror());
-  }
-  return {bytes.begin(), bytes.end()};
-}
-
 template <class Integer>
 std::vector<Integer> interleaved(const TextureImage& texture) {
   std::vector<Integer> values;
@@ -97,23 +66,6 @@ std::vector<Integer> interleaved(const TextureImage& texture) {
     for (const float v : {p.r, p.g, p.b}) values.push_back(quantised<Integer>(v));
   }
   return values;
-}
-
-/// Floats without the present moment, which the writer would else put into the file.
-OIIO::ImageSpec exr_spec(int width, int height, int channels) {
-  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeFloat);
-  spec["DateTime"] = "1970:01:01 00:00:00";
-  return spec;
-}
-
-void write_exr(const std::filesystem::path& path, const Image& image) {
-  auto output = OIIO::ImageOutput::create(path.string());
-  const OIIO::ImageSpec spec = exr_spec(image.width, image.height, 4);
-  if (!output || !output->open(path.string(), spec) ||
-      !output->write_image(OIIO::TypeFloat, image.pixels.data()) || !output->close()) {
-    throw Error(
-        fmt::format("{}: {}", path.string(), output ? output->geterror() : OIIO::geterror()));
-  }
 }
 
 /// 16 bits a channel; PNG keeps colours unmultiplied by alpha.
@@ -126,64 +78,86 @@ std::string rgba_png(const Image& image) {
       values.push_back(quantised<std::uint16_t>(v));
     }
   }
-  return encode_png(image.width, image.height, 4, values);
+  return image_codec().encode_png16({image.width, image.height, 4}, values, kSmall);
+}
+
+/// The numbers of all pixels, one after another.
+template <class Pixel>
+std::span<const float> floats(const Grid<Pixel>& grid) {
+  constexpr std::size_t kNumbers = sizeof(Pixel) / sizeof(float);
+  return {reinterpret_cast<const float*>(grid.pixels.data()), kNumbers * grid.pixels.size()};
+}
+
+[[noreturn]] void refuse(std::string_view label, const std::filesystem::path& path,
+                         std::string_view why) {
+  throw Error(fmt::format("{} {} can't be read as a texture: {}", label, path.string(), why));
+}
+
+void check_texture_size(const ImageSize& size) {
+  if (1LL * size.width * size.height <= kMostTexels && size.depth <= 1) return;
+  throw std::runtime_error(fmt::format("{} x {} texels are too many", size.width, size.height));
+}
+
+/// Multiples of 1/255 as they are, other numbers in [0, 1] to 1/65535.
+float texel_value(float v) {
+  return is_eight_bit(v) ? v : float(quantised<std::uint16_t>(v)) / 65535.0f;
+}
+
+/// The texture in an image of any number of channels: one or two are grey and alpha.
+TextureImage texture_in(const DecodedImage& image) {
+  const int width = image.size.width, channels = image.size.channels;
+  const bool is_grey = channels < 3;
+  TextureImage texture(width, image.size.height);
+  for (std::size_t i = 0; i < texture.pixels.size(); ++i) {
+    const float* v = &image.values[i * std::size_t(channels)];
+    const Rgb texel = is_grey ? Rgb{v[0], v[0], v[0]} : Rgb{v[0], v[1], v[2]};
+    for (const float value : {texel.r, texel.g, texel.b}) {
+      if (value >= 0 && value <= 1) continue;
+      throw std::runtime_error(
+          fmt::format("texel ({}, {}) holds {}, outside [0, 1]", i % width, i / width, value));
+    }
+    texture.pixels[i] = {texel_value(texel.r), texel_value(texel.g), texel_value(texel.b)};
+  }
+  return texture;
 }
 
 }  // namespace
 
-TextureImage read_texture(const std::filesystem::path& path, std::string_view label) try {
-  const QuietStandardError quiet;
-  auto input = open_image(path);
-  const int width = input->spec().width, height = input->spec().height;
-  const int channels = input->spec().nchannels;
-  if (1LL * width * height > kMostTexels || input->spec().depth > 1) {
-    throw std::runtime_error(fmt::format("{} x {} texels are too many", width, height));
+void check_texture_file(const std::filesystem::path& path, std::string_view label) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream.peek() != std::ifstream::traits_type::eof()) return;
+  refuse(label, path, errno ? std::strerror(errno) : "it is empty");
+}
+
+TextureImage read_texture(const std::filesystem::path& path, std::string_view label) {
+  check_texture_file(path, label);
+  const ImageCodec& codec = image_codec();
+  try {
+    const QuietStandardError quiet;
+    return texture_in(codec.decode(path, check_texture_size));
+  } catch (const std::runtime_error& e) {
+    refuse(label, path, e.what());
   }
-  const std::vector<float> values = read_floats(*input);
-  const bool is_grey = channels < 3;
-  TextureImage texture(width, height);
-  for (std::size_t i = 0; i < texture.pixels.size(); ++i) {
-    const float* v = &values[i * std::size_t(channels)];
-    float rgb[3];
-    for (int c = 0; c < 3; ++c) {
-      rgb[c] = v[is_grey ? 0 : c];
-      if (!(rgb[c] >= 0 && rgb[c] <= 1)) {
-        throw std::runtime_error(
-            fmt::format("texel ({}, {}) holds {}, outside [0, 1]", i % width, i / width, rgb[c]));
-      }
-      if (!is_eight_bit(rgb[c])) rgb[c] = float(quantised<std::uint16_t>(rgb[c])) / 65535.0f;
-    }
-    texture.pixels[i] = {rgb[0], rgb[1], rgb[2]};
-  }
-  return texture;
-} catch (const std::runtime_error& e) {
-  throw Error(fmt::format("{} {} can't be read as a texture: {}", label, path.string(), e.what()));
 }
 
 std::string texture_png(const TextureImage& texture) {
+  const ImageCodec& codec = image_codec();
+  const ImageSize size{texture.width, texture.height, 3};
   return is_eight_bit(texture)
-             ? encode_png(texture.width, texture.height, 3, interleaved<std::uint8_t>(texture))
-             : encode_png(texture.width, texture.height, 3, interleaved<std::uint16_t>(texture));
+             ? codec.encode_png8(size, interleaved<std::uint8_t>(texture), kSmall)
+             : codec.encode_png16(size, interleaved<std::uint16_t>(texture), kSmall);
 }
 
 std::string texture_exr(const TextureImage& texture) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  auto output = OIIO::ImageOutput::create("memory.exr");
-  const OIIO::ImageSpec spec = exr_spec(texture.width, texture.height, 3);
-  output->set_ioproxy(&memory);
-  if (!output->open("memory.exr", spec) ||
-      !output->write_image(OIIO::TypeFloat, texture.pixels.data()) || !output->close()) {
-    throw std::runtime_error("EXR: " + output->geterror());
-  }
-  return {bytes.begin(), bytes.end()};
+  return image_codec().encode_exr({texture.width, texture.height, 3}, floats(texture));
 }
 
 std::string grey_png(const Grid<float>& values) {
   std::vector<std::uint16_t> integers(values.pixels.size());
   std::ranges::transform(values.pixels, integers.begin(),
                          [](float v) { return quantised<std::uint16_t>(v); });
-  return encode_png(values.width, values.height, 1, integers);
+  return image_codec().encode_png16({values.width, values.height, 1}, integers, kSmall);
 }
 
 std::string display_png(const Image& image) {
@@ -194,8 +168,7 @@ std::string display_png(const Image& image) {
       values.push_back(quantised<std::uint8_t>(v));
     }
   }
-  constexpr int kFast = 2;  // a report holds dozens of these
-  return encode_png(image.width, image.height, 3, values, kFast);
+  return image_codec().encode_png8({image.width, image.height, 3}, values, kFast);
 }
 
 void check_image_extension(const std::filesystem::path& path, std::string_view flag) {
@@ -209,28 +182,26 @@ void write_image(const std::filesystem::path& path, const Image& image, std::str
     write_file(path, rgba_png(image), flag);
     return;
   }
-  AtomicFile file(path, flag);
-  write_exr(file.temporary(), image);
-  file.commit();
+  const ImageSize size{image.width, image.height, 4};
+  write_file(path, image_codec().encode_exr(size, floats(image)), flag);
 }
 
 Image read_image(const std::filesystem::path& path, int width, int height) {
-  auto input = open_image(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width != width || spec.height != height || spec.nchannels != 4) {
+  const DecodedImage read = image_codec().decode(path, [&](const ImageSize& size) {
+    if (size.width == width && size.height == height && size.channels == 4) return;
     throw std::runtime_error(fmt::format("{} is {} x {} with {} channels, not {} x {} with 4",
-                                         path.filename().string(), spec.width, spec.height,
-                                         spec.nchannels, width, height));
-  }
-  const std::vector<float> values = read_floats(*input);
-  const bool unassociated = std::string_view(input->format_name()) == "png";
+                                         path.filename().string(), size.width, size.height,
+                                         size.channels, width, height));
+  });
   Image image(width, height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const float* v = &values[4 * i];
-    const float scale = unassociated ? v[3] : 1;
+    const float* v = &read.values[4 * i];
+    const float scale = read.is_png ? v[3] : 1;
     image.pixels[i] = {{v[0] * scale, v[1] * scale, v[2] * scale}, v[3]};
   }
   return image;
 }
+
+std::string base64(std::string_view bytes) { return image_codec().base64(bytes); }
 
 }  // namespace lumaknot

@@ -1,8 +1,10 @@
-/// Images in files, through OpenImageIO. Values are read and written as they are.
+/// Images in files, through OpenImageIO, which is loaded when the first of these functions needs
+/// it: they throw Error when it can't be. Values are read and written as they are.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "scene/image.h"
 
@@ -12,6 +14,9 @@ namespace lumaknot {
 /// multiples of 1/255 are kept to 1/65535, so that a 16-bit file hands them on exactly. Throws
 /// Error calling the file `label` when it can't be read or leaves [0, 1].
 TextureImage read_texture(const std::filesystem::path& path, std::string_view label);
+
+/// Throws read_texture()'s Error when nothing can be read from `path`. Loads no image library.
+void check_texture_file(const std::filesystem::path& path, std::string_view label);
 
 /// The texture as a PNG file's bytes: 8 bits where that is exact, else 16.
 std::string texture_png(const TextureImage& texture);
@@ -35,5 +40,8 @@ void check_image_extension(const std::filesystem::path& path, std::string_view f
 /// The drawn image in a file with red, green, blue and alpha. Throws std::runtime_error when it is
 /// not there, does not decode or has another size.
 Image read_image(const std::filesystem::path& path, int width, int height);
+
+/// The bytes of an image file in base64, for a page that holds its pictures.
+std::string base64(std::string_view bytes);
 
 }  // namespace lumaknot

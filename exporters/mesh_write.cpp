@@ -1,73 +1,132 @@
-// Mesh files through OpenMesh's writers.
+// The table of mesh formats.
 #include <fmt/format.h>
 
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
-#include <fstream>
+#include <cmath>
+#include <limits>
+#include <sstream>
 
+#include "exporters/gltf.h"
 #include "exporters/mesh_file.h"
+#include "exporters/mesh_writers.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 
 namespace lumaknot {
 namespace {
 
-struct FlatTraits : OpenMesh::DefaultTraitsDouble {
-  using TexCoord2D = OpenMesh::Vec2d;
-  VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::TexCoord2D);
-};
-using FlatMesh = OpenMesh::TriMesh_ArrayKernelT<FlatTraits>;
+using Write = void (*)(const std::filesystem::path& path, const TriangleMesh& mesh,
+                       const MeshFileOptions& options, std::string_view flag);
 
-FlatMesh to_open_mesh(const TriangleMesh& mesh, std::string_view flag) {
-  FlatMesh result;
-  result.reserve(mesh.positions.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
+/// Writes a file that holds all of the mesh.
+template <void (*write)(std::ostream&, const TriangleMesh&, const MeshFileOptions&)>
+void write_whole(const std::filesystem::path& path, const TriangleMesh& mesh,
+                 const MeshFileOptions& options, std::string_view flag) {
+  write_file(
+      path, [&](std::ostream& stream) { write(stream, mesh, options); }, flag);
+}
+
+void write_glb_stream(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions&) {
+  write_glb(stream, mesh);
+}
+
+/// NAME.bin first: the file that refers to it is the one that is opened.
+void write_gltf_pair(const std::filesystem::path& path, const TriangleMesh& mesh,
+                     const MeshFileOptions&, std::string_view flag) {
+  check_package_name(path, flag);
+  std::filesystem::path binary = path;
+  binary.replace_extension(".bin");
+  std::ostringstream json;
+  write_file(
+      binary,
+      [&](std::ostream& stream) { write_gltf(json, stream, mesh, binary.filename().string()); },
+      flag);
+  write_file(path, json.str(), flag);
+}
+
+struct MeshFormat {
+  std::string_view extension;
+  Write write;
+  bool has_text;              ///< always, or as MeshFileOptions::ascii
+  bool has_quads;             ///< as MeshFileOptions::quads
+  bool has_tangents = false;  ///< as MeshFileOptions::tangents
+};
+
+constexpr MeshFormat kFormats[] = {
+    {".obj", write_whole<write_obj>, true, true},
+    {".ply", write_whole<write_ply>, true, true},
+    {".stl", write_whole<write_stl>, true, false},
+    {".off", write_whole<write_off>, true, true},
+    {".om", write_whole<write_om>, false, false},
+    {".glb", write_whole<write_glb_stream>, false, false, true},
+    {".gltf", write_gltf_pair, false, false, true},
+    {".inc", write_whole<write_pov_include>, true, false},
+};
+
+/// ".obj, .ply or .off": the extensions of the formats that `has` picks.
+template <class Has>
+std::string extensions(Has has) {
+  std::vector<std::string_view> names;
+  for (const MeshFormat& format : kFormats) {
+    if (std::invoke(has, format)) names.push_back(format.extension);
+  }
+  const std::string_view last = names.back();
+  names.pop_back();
+  return fmt::format("{} or {}", fmt::join(names, ", "), last);
+}
+
+const MeshFormat& format_of(const std::filesystem::path& path, std::string_view flag) {
+  const std::string extension = path.extension().string();
+  for (const MeshFormat& format : kFormats) {
+    if (extension == format.extension) return format;
+  }
+  throw Error(fmt::format("{} {} must end in {}", flag, path.string(),
+                          extensions([](const MeshFormat&) { return true; })));
+}
+
+bool fits(double value) { return std::abs(value) <= std::numeric_limits<float>::max(); }
+
+/// Numbers beyond float32 would be written as infinite.
+void check_fits(const TriangleMesh& mesh, std::string_view flag) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3d &p = mesh.positions[i], &n = mesh.normals[i];
-    const auto vertex = result.add_vertex({p.x, p.y, p.z});
-    result.set_normal(vertex, {n.x, n.y, n.z});
-    result.set_texcoord2D(vertex, {mesh.uvs[i].u, mesh.uvs[i].v});
-  }
-  for (const Triangle& t : mesh.triangles) {
-    result.add_face(FlatMesh::VertexHandle(int(t[0])), FlatMesh::VertexHandle(int(t[1])),
-                    FlatMesh::VertexHandle(int(t[2])));
-  }
-  if (result.n_faces() != mesh.triangles.size()) {
+    const Vec3d& p = mesh.positions[i];
+    const Vec2d& uv = mesh.uvs[i];
+    if (fits(p.x) && fits(p.y) && fits(p.z) && fits(uv.u) && fits(uv.v)) continue;
     throw Error(
-        fmt::format("{}: {} of {} triangles meet more than one other at an edge, which OBJ "
-                    "and PLY files are not written with",
-                    flag, mesh.triangles.size() - result.n_faces(), mesh.triangles.size()));
+        fmt::format("{}: vertex {} of the mesh does not fit in float32: position ({}, {}, {}), "
+                    "texture coordinate ({}, {}); make the mesh smaller",
+                    flag, i, p.x, p.y, p.z, uv.u, uv.v));
   }
-  return result;
 }
 
 }  // namespace
 
-void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions&,
+void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions& options,
                        std::string_view flag) {
-  const std::string extension = path.extension().string();
-  if (extension == ".obj" || extension == ".ply") return;
-  throw Error(fmt::format("{} {} must end in .obj or .ply", flag, path.string()));
+  const MeshFormat& format = format_of(path, flag);
+  if (options.ascii && !format.has_text) {
+    throw Error(fmt::format("{} {} can't be text: its format is binary alone; end it in {}", flag,
+                            path.string(), extensions(&MeshFormat::has_text)));
+  }
+  if (options.quads && !format.has_quads) {
+    throw Error(fmt::format("{} {} can't hold quads: its format has triangles alone; end it in {}",
+                            flag, path.string(), extensions(&MeshFormat::has_quads)));
+  }
+  if (options.tangents && !format.has_tangents) {
+    throw Error(fmt::format("{} {} can't hold tangents; end it in {}", flag, path.string(),
+                            extensions(&MeshFormat::has_tangents)));
+  }
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshFileOptions& file_options, std::string_view flag) {
-  check_mesh_output(path, file_options, flag);
-  constexpr int kDigits = 9;  // enough to tell every float32 from its neighbours
-  omlog().disable();
-  omerr().disable();
-  AtomicFile file(path, flag);
-  std::ofstream stream(file.temporary(), std::ios::binary);
-  OpenMesh::IO::Options options =
-      OpenMesh::IO::Options::VertexNormal | OpenMesh::IO::Options::VertexTexCoord;
-  if (path.extension() == ".ply") options += OpenMesh::IO::Options::Binary;
-  const bool written = OpenMesh::IO::write_mesh(to_open_mesh(mesh, flag), stream,
-                                                path.extension().string(), options, kDigits);
-  stream.close();
-  if (!written || !stream) {
-    throw Error(fmt::format("{} {} can't be written; is the disk full?", flag, path.string()));
+                const MeshFileOptions& options, std::string_view flag) {
+  check_mesh_output(path, options, flag);
+  if (options.quads && !mesh.quads) {
+    throw Error(fmt::format("{} {} can't hold quads: the mesh has triangles alone; ask for none",
+                            flag, path.string()));
   }
-  file.commit();
+  check_fits(mesh, flag);
+  format_of(path, flag).write(path, mesh, options, flag);
 }
 
 }  // namespace lumaknot

@@ -31,13 +31,16 @@ struct Polygons {
   std::vector<std::uint32_t> sizes;    ///< corners of each polygon, >= 3
   std::vector<std::uint64_t> places;   ///< where each polygon is in the file, in `unit`
   std::string unit = "line";           ///< what places count: "line", "byte", "face"
+  std::uint32_t first_index = 0;       ///< what the file calls the first of an array
 };
 
-/// The triangles of `polygons`: cut, also where they are concave, missing normals made smooth, one
-/// vertex kept for each set of equal attributes, polygons with a corner twice dropped. With
-/// `needs_uvs`, a mesh without texture coordinates is refused; else they are zero. Throws Error
-/// calling the file `name` for an edge that more than two polygons share or that two use in the
-/// same direction, saying where in the file.
+/// The triangles of `polygons`, cut also where they are concave, one vertex kept for each set of
+/// equal attributes. Corners at one position that follow each other are one; what then has less
+/// than three is dropped. A normal that is missing or zero is made smooth: that of the triangles at
+/// its position, weighted by their angles there. With `needs_uvs`, a corner without a texture
+/// coordinate is refused; else it is zero. Throws Error calling the file `name` where it has no
+/// faces or an edge that more than two of them share or two use in the same direction, saying where
+/// in the file.
 TriangleMesh triangulated(const Polygons& polygons, bool needs_uvs, std::string_view name);
 
 }  // namespace lumaknot

@@ -1,11 +1,12 @@
 #include "exporters/pov.h"
 
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
+#include <sstream>
 
 #include "exporters/image_file.h"
+#include "exporters/mesh_writers.h"
 #include "exporters/pov_lights.h"
 #include "exporters/pov_text.h"
 #include "exporters/pov_texture.h"
@@ -52,34 +53,12 @@ bool reads_luma(const Shot& shot) {
   return shot.stage == Stage::kFinal && is_linear(shot.material.space);
 }
 
-void append_vec(std::string& text, const Vec3d& v) {
-  fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g},{:.9g}>\n", float(v.x), float(v.y),
-                 float(v.z));
-}
-
 }  // namespace
 
 std::string pov_mesh(const TriangleMesh& mesh) {
-  std::string text;
-  const auto begin = [&](std::string_view name, std::size_t count) {
-    fmt::format_to(std::back_inserter(text), "  {} {{ {}\n", name, count);
-  };
-  begin("vertex_vectors", mesh.positions.size());
-  for (const Vec3d& p : mesh.positions) append_vec(text, p);
-  text += "  }\n";
-  begin("normal_vectors", mesh.normals.size());
-  for (const Vec3d& n : mesh.normals) append_vec(text, n);
-  text += "  }\n";
-  begin("uv_vectors", mesh.uvs.size());
-  for (const Vec2d& uv : mesh.uvs) {
-    fmt::format_to(std::back_inserter(text), "<{:.9g},{:.9g}>\n", float(uv.u), float(uv.v));
-  }
-  text += "  }\n";
-  begin("face_indices", mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    fmt::format_to(std::back_inserter(text), "<{},{},{}>\n", t[0], t[1], t[2]);
-  }
-  return text + "  }\n";
+  std::ostringstream text;
+  write_pov_mesh(text, mesh);
+  return std::move(text).str();
 }
 
 std::string pov_scene(const View& view, const Texture& texture, const Shot& shot,

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "scene/error.h"
 
@@ -49,13 +49,24 @@ void AtomicFile::commit() {
   temporary_.clear();
 }
 
-void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write,
+                std::string_view flag) {
   AtomicFile file(path, flag);
   std::ofstream stream(file.temporary(), std::ios::binary);
-  stream.write(bytes.data(), std::streamsize(bytes.size()));
+  write(stream);
   stream.close();
-  if (!stream) fail(flag, path, std::strerror(errno));
+  // Another thread may have written, so errno does not tell why.
+  if (!stream) fail(flag, path, "its disk took only a part");
   file.commit();
+}
+
+void check_writable(const fs::path& path, std::string_view flag) { AtomicFile(path, flag); }
+
+void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
+  const auto write = [&](std::ostream& stream) {
+    stream.write(bytes.data(), std::streamsize(bytes.size()));
+  };
+  write_file(path, write, flag);
 }
 
 std::string read_file(const fs::path& path, std::string_view label) {
@@ -66,7 +77,19 @@ std::string read_file(const fs::path& path, std::string_view label) {
     throw Error(fmt::format("{} can't be read: {} ({})", label, path.string(),
                             errno ? std::strerror(errno) : "it is a folder"));
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  // Devices and pipes tell no size, so read on until there is no more.
+  const std::uintmax_t told = fs::file_size(path, ignored);
+  std::string bytes(ignored ? 0 : std::size_t(told), '\0');
+  std::size_t size = 0;
+  while (stream) {
+    constexpr std::size_t kStep = 1 << 16;
+    if (size == bytes.size()) bytes.resize(size + std::max(kStep, size));
+    stream.read(bytes.data() + size, std::streamsize(bytes.size() - size));
+    size += std::size_t(stream.gcount());
+    if (size == told && stream.peek() == std::ifstream::traits_type::eof()) break;
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace lumaknot

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -29,6 +31,14 @@ class AtomicFile {
 
 /// Writes `bytes` to `path`, whole or not at all.
 void write_file(const std::filesystem::path& path, std::string_view bytes, std::string_view flag);
+
+/// Throws the Error of writing to `path` before there is anything to write. Changes nothing.
+void check_writable(const std::filesystem::path& path, std::string_view flag);
+
+/// Writes to `path` what `write` writes to the stream that it gets, whole or not at all. What
+/// `write` throws passes.
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write,
+                std::string_view flag);
 
 /// The bytes of the file at `path`. Throws Error calling it `label`.
 std::string read_file(const std::filesystem::path& path, std::string_view label);

@@ -1,10 +1,10 @@
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
+#include "exporters/image_file.h"
 #include "validate/report.h"
 
 namespace lumaknot {
@@ -15,8 +15,6 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 using Data = mustache::data;
-
-std::string base64(const std::string& bytes) { return OIIO::Strutil::base64_encode(bytes); }
 
 /// A limit on the way into text; without one, nothing.
 std::string limit_text(std::string_view name, double limit) {

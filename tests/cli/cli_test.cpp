@@ -94,13 +94,15 @@ TEST_F(Program, what_stood_there_survives_a_failure) {
 }
 
 TEST_F(Program, the_same_input_gives_the_same_bytes) {
-  for (const std::string name : {"knot.obj", "knot.ply"}) {
+  for (const std::string name :
+       {"knot.obj", "knot.ply", "knot.stl", "knot.off", "knot.om", "knot.inc"}) {
     lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", name, "--quiet"});
     const std::string first = read(name);
     lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", name, "--quiet"});
     EXPECT_TRUE(read(name) == first) << name;
   }
-  for (const std::string name : {"knot.exr", "knot.png", "knot.pov", "knot.py"}) {
+  for (const std::string name :
+       {"knot.exr", "knot.png", "knot.pov", "knot.py", "knot.glb", "knot.obj"}) {
     const std::string command = name.ends_with("r") || name.ends_with("g") ? "render" : "export";
     ASSERT_EQ(lumaknot({command, "figure1-back", "-o", name}).exit_code, 0);
     const std::string first = read(name);

@@ -60,6 +60,16 @@ inline KnotSpec small_knot() {
   return knot;
 }
 
+/// A tetrahedron, one vertex a corner, its numbers few digits of float32.
+inline TriangleMesh tetrahedron() {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}};
+  mesh.normals = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}, {0.25, 1e-7}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return mesh;
+}
+
 /// A texture whose values are multiples of 1/255 and of nothing coarser.
 inline TextureImage small_texture() {
   TextureImage image(5, 3);

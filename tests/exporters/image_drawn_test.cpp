@@ -190,5 +190,13 @@ TEST(DisplayPng, decodes_to_the_image_limited_to_eight_bits) {
 
 TEST(DisplayPng, is_the_same_bytes_twice) { EXPECT_EQ(display_png(drawn()), display_png(drawn())); }
 
+TEST(Base64, answers_the_vectors_of_rfc_4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
 }  // namespace
 }  // namespace lumaknot

@@ -184,8 +184,11 @@ TEST(ReadTexture, files_that_are_no_image_are_refused_naming_the_label_and_the_f
     EXPECT_THAT(error, HasSubstr("texture.file")) << name;
     EXPECT_THAT(error, HasSubstr(name)) << name;
   }
-  EXPECT_THAT(error_of([&] { read_texture(folder / "missing.png", "texture.file"); }),
-              HasSubstr("missing.png"));
+  const std::string missing =
+      error_of([&] { read_texture(folder / "missing.png", "texture.file"); });
+  EXPECT_THAT(missing, HasSubstr("missing.png can't be read as a texture: No such file"));
+  EXPECT_THAT(error_of([&] { read_texture(folder / ".", "texture.file"); }),
+              HasSubstr("Is a directory"));
 }
 
 }  // namespace

@@ -4,55 +4,27 @@
 
 #include <cstdlib>
 
-#include "exporters/mesh_file.h"
-#include "tests/exporters/exporters_testing.h"
+#include "tests/exporters/mesh_testing.h"
 
 namespace lumaknot {
 namespace {
 
+using testing::area;
+using testing::area_vector;
+using testing::expect_consistent;
 using ::testing::HasSubstr;
+using testing::kCubeObj;
+using testing::kQuadObj;
 using testing::TemporaryFolder;
-
-constexpr const char* kQuad =
-    "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-    "f 1/1 2/2 3/3 4/4\n";
-
-/// A cube about the origin with one normal a face and no texture coordinates.
-constexpr const char* kCube =
-    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
-    "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 1 0 0\nvn 0 1 0\nvn -1 0 0\n"
-    "f 1//1 4//1 3//1 2//1\nf 5//2 6//2 7//2 8//2\nf 1//3 2//3 6//3 5//3\n"
-    "f 2//4 3//4 7//4 6//4\nf 3//5 4//5 8//5 7//5\nf 4//6 1//6 5//6 8//6\n";
 
 TriangleMesh read(const TemporaryFolder& folder, std::string_view name, std::string_view text,
                   bool needs_uvs = false) {
   return read_mesh(folder.file(name, text), needs_uvs, "mesh.file");
 }
 
-Vec3d area_vector(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3d a = mesh.positions[t[0]];
-  return cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a) / 2.0;
-}
-
-double area(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) sum += length(area_vector(mesh, t));
-  return sum;
-}
-
-void expect_consistent(const TriangleMesh& mesh) {
-  EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
-  EXPECT_EQ(mesh.uvs.size(), mesh.positions.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t i : t) ASSERT_LT(i, mesh.positions.size());
-  }
-  // A float32 normal is unit to 1e-7; it is made unit in double.
-  for (const Vec3d& n : mesh.normals) EXPECT_NEAR(length(n), 1, 1e-12);
-}
-
 TEST(ReadMesh, quads_become_two_triangles_wound_alike) {
   const TemporaryFolder folder;
-  const TriangleMesh mesh = read(folder, "quad.obj", kQuad, true);
+  const TriangleMesh mesh = read(folder, "quad.obj", kQuadObj, true);
   expect_consistent(mesh);
   ASSERT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.positions.size(), 4u);
@@ -62,7 +34,7 @@ TEST(ReadMesh, quads_become_two_triangles_wound_alike) {
 
 TEST(ReadMesh, texture_coordinates_keep_v_upwards) {
   const TemporaryFolder folder;
-  const TriangleMesh mesh = read(folder, "quad.obj", kQuad, true);
+  const TriangleMesh mesh = read(folder, "quad.obj", kQuadObj, true);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     EXPECT_EQ(mesh.uvs[i], (Vec2d{mesh.positions[i].x / 2, mesh.positions[i].y}));
   }
@@ -72,7 +44,7 @@ TEST(ReadMesh, concave_polygons_keep_their_area) {
   const TemporaryFolder folder;
   const TriangleMesh mesh =
       read(folder, "arrow.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nf 1 2 3 4\n");
-  EXPECT_NEAR(area(mesh), 4, 1e-6);  // the shoelace formula; float32
+  EXPECT_NEAR(area(mesh), 4, 1e-12);  // the shoelace formula, in double
 }
 
 TEST(ReadMesh, missing_normals_are_made_smooth) {
@@ -84,13 +56,13 @@ TEST(ReadMesh, missing_normals_are_made_smooth) {
   expect_consistent(mesh);
   EXPECT_EQ(mesh.positions.size(), 6u);  // smooth: one normal at a corner, so one vertex
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    EXPECT_NEAR(length(mesh.normals[i] - mesh.positions[i]), 0, 1e-6);  // by symmetry; float32
+    EXPECT_NEAR(length(mesh.normals[i] - mesh.positions[i]), 0, 1e-12);  // by symmetry
   }
 }
 
 TEST(ReadMesh, hard_edges_are_kept) {
   const TemporaryFolder folder;
-  const TriangleMesh mesh = read(folder, "cube.obj", kCube);
+  const TriangleMesh mesh = read(folder, "cube.obj", kCubeObj);
   expect_consistent(mesh);
   EXPECT_EQ(mesh.triangles.size(), 12u);
   EXPECT_EQ(mesh.positions.size(), 24u);  // each corner once for each of its three faces
@@ -103,12 +75,12 @@ TEST(ReadMesh, hard_edges_are_kept) {
 
 TEST(ReadMesh, missing_texture_coordinates_are_zero_where_none_are_needed) {
   const TemporaryFolder folder;
-  for (const Vec2d& uv : read(folder, "cube.obj", kCube).uvs) EXPECT_EQ(uv, Vec2d{});
+  for (const Vec2d& uv : read(folder, "cube.obj", kCubeObj).uvs) EXPECT_EQ(uv, Vec2d{});
 }
 
 TEST(ReadMesh, missing_texture_coordinates_are_refused_with_a_remedy_where_they_are_needed) {
   const TemporaryFolder folder;
-  const std::string error = error_of([&] { read(folder, "cube.obj", kCube, true); });
+  const std::string error = error_of([&] { read(folder, "cube.obj", kCubeObj, true); });
   EXPECT_THAT(error, HasSubstr("mesh.file"));
   EXPECT_THAT(error, HasSubstr("cube.obj has no texture coordinates"));
   EXPECT_THAT(error, HasSubstr("color"));
@@ -142,7 +114,7 @@ TEST(ReadMesh, off_is_read) {
                                  "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   expect_consistent(mesh);
   EXPECT_EQ(mesh.triangles.size(), 4u);
-  EXPECT_NEAR(area(mesh), 1.5 + std::sqrt(3.0) / 2, 1e-6);  // float32
+  EXPECT_NEAR(area(mesh), 1.5 + std::sqrt(3.0) / 2, 1e-12);
 }
 
 TEST(ReadMesh, several_objects_become_one_mesh) {
@@ -181,10 +153,42 @@ TEST(ReadMesh, missing_file_is_refused_naming_the_label_and_the_file) {
   EXPECT_THAT(error, HasSubstr("missing.obj"));
 }
 
-TEST(ReadMesh, index_beyond_the_vertices_is_refused) {
+TEST(ReadMesh, a_folder_and_a_file_of_another_kind_are_refused) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "folder.obj");
+  EXPECT_THAT(error_of([&] { read_mesh(folder / "folder.obj", false, "mesh.file"); }),
+              HasSubstr("it is a folder"));
+  EXPECT_THAT(error_of([&] { read(folder, "knot.png", kQuadObj); }),
+              HasSubstr("knot.png must end in one of .obj .ply .stl .off .om .pov .inc"));
+  for (const char* name : {"a.obj", "a.ply", "a.stl", "a.off", "a.om", "a.pov"}) {
+    const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\1\0\0\0\1\0", 24);
+    EXPECT_THAT(error_of([&] { read(folder, name, png); }), HasSubstr(name));
+  }
+}
+
+TEST(ReadMesh, the_ending_tells_the_format_in_capitals_too) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read(folder, "KNOT.OBJ", kQuadObj).triangles.size(), 2u);
+  EXPECT_EQ(read(folder, "knot.inc", testing::kTetrahedronPov).triangles.size(), 4u);
+}
+
+TEST(ReadMesh, every_format_is_read_by_its_ending) {
+  const TemporaryFolder folder;
+  for (const testing::MeshSample& sample : testing::mesh_samples()) {
+    const std::pair<const char*, testing::MeshReader> formats[] = {
+        {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl},
+        {".off", read_off}, {".om", read_om},   {".pov", read_pov}};
+    for (const auto& [extension, reader] : formats) {
+      if (reader != sample.reader) continue;
+      expect_consistent(read(folder, std::string(sample.name) + extension, sample.bytes));
+    }
+  }
+}
+
+TEST(ReadMesh, index_beyond_the_vertices_is_refused_with_its_file_and_line) {
   const TemporaryFolder folder;
   EXPECT_THAT(error_of([&] { read(folder, "bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"); }),
-              HasSubstr("mesh.file"));
+              HasSubstr("bad.obj, line 4: vertex 9 is not there, the file has 3"));
 }
 
 /// Reads in a process of its own, which ends with 0 when the file was refused: a reader that hangs

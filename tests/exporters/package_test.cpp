@@ -22,6 +22,14 @@ TEST(CheckPackageName, names_that_would_end_a_quoted_text_are_refused) {
   }
 }
 
+TEST(CheckPackageName, names_that_are_not_utf_8_are_refused) {
+  // A lone byte of Latin-1, a cut sequence, a slash in two bytes, half of a surrogate pair.
+  for (const char* name : {"caf\xe9.py", "a\xc5", "a\xc0\xaf.py", "a\xed\xa0\x80.py"}) {
+    EXPECT_THAT(error_of([&] { check_package_name(name, "--output"); }),
+                HasSubstr("must be UTF-8"));
+  }
+}
+
 TEST(CheckPackageName, ordinary_names_pass) {
   for (const char* name : {"knot.py", "my knot.py", "k-1_2.3.py", "{knot}.py", "100%.py",
                            "n\xc5\x93ud.py", "it's/knot.py"}) {

@@ -1,4 +1,5 @@
-"""Checks the `#include "folder/..."` lines of every folder against the architecture's table.
+"""Checks the `#include "folder/..."` lines of every folder against the architecture's table, and that
+OpenImageIO, which is slow to load, stays in the module made for it.
 
     check.py SOURCE_ROOT
 """
@@ -23,6 +24,10 @@ ALLOWED = {
     "bench": ALL,
 }
 
+# Who may include OpenImageIO.
+IMAGE_FOLDERS = ("exporters/images", "tests")
+
+OPEN_IMAGE_IO = re.compile(r"\s*#\s*include\s*<OpenImageIO/")
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"/]+)/')
 
 
@@ -32,13 +37,17 @@ def violations(root):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".cpp", ".h"):
                 continue
+            name = path.relative_to(root)
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if OPEN_IMAGE_IO.match(line) and not name.as_posix().startswith(IMAGE_FOLDERS):
+                    yield (f"{name}:{number}: only {' and '.join(IMAGE_FOLDERS)} may include "
+                           "OpenImageIO")
                 match = INCLUDE.match(line)
                 if not match or match[1] not in ALLOWED:
                     continue
                 if match[1] != folder and match[1] not in allowed:
                     may = ", ".join(allowed) or "nothing"
-                    yield (f"{path.relative_to(root)}:{number}: {folder} must not include "
+                    yield (f"{name}:{number}: {folder} must not include "
                            f"{match[1]}; besides itself it may include: {may}")
 
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "tests/scene/error_of.h"
 
@@ -157,11 +159,44 @@ TEST_F(AtomicFileTest, a_failed_rename_is_an_error_and_the_temporary_goes) {
   EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
 }
 
+TEST_F(AtomicFileTest, a_file_of_any_size_is_read_whole) {
+  for (const std::size_t size : {1u, 65535u, 65536u, 65537u, 1'000'000u}) {
+    std::string bytes(size, 'x');
+    bytes.back() = 'y';
+    write_file(folder / "a", bytes, "--output");
+    EXPECT_EQ(read_file(folder / "a", "input"), bytes) << size;
+  }
+}
+
+TEST_F(AtomicFileTest, a_pipe_which_tells_no_size_is_read_whole) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string bytes(200'000, 'x');
+  std::thread writer([&] { std::ofstream(folder / "pipe") << bytes; });
+  EXPECT_EQ(read_file(folder / "pipe", "input"), bytes);
+  writer.join();
+}
+
 TEST_F(AtomicFileTest, reading_a_missing_file_or_a_folder_names_the_label_and_the_path) {
   const std::string missing = error_of([&] { read_file(folder / "a.json", "scene"); });
   EXPECT_THAT(missing, HasSubstr("scene"));
   EXPECT_THAT(missing, HasSubstr((folder / "a.json").string()));
   EXPECT_THAT(error_of([&] { read_file(folder, "scene"); }), HasSubstr("folder"));
+}
+
+TEST_F(AtomicFileTest, checking_a_place_changes_nothing) {
+  write_file(folder / "old.txt", "old", "--output");
+  check_writable(folder / "old.txt", "--output");
+  check_writable(folder / "new.txt", "--output");
+  EXPECT_EQ(read_file(folder / "old.txt", "file"), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFileTest, checking_a_place_refuses_what_writing_would_refuse) {
+  for (const fs::path& bad : {folder, folder / "missing" / "a.txt"}) {
+    const std::string error = error_of([&] { check_writable(bad, "--output"); });
+    EXPECT_THAT(error, HasSubstr("--output " + bad.string() + " can't be written"));
+    EXPECT_EQ(error, error_of([&] { write_file(bad, "x", "--output"); }));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+/// The numbers of a glTF file's accessors. Inside exporters only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "exporters/gltf_file.h"
+
+namespace lumaknot {
+
+/// An element's values as they lie in a buffer, all within it.
+struct GltfElements {
+  const char* first = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 0;      ///< bytes from one to the next
+  int component = 0;           ///< TINYGLTF_COMPONENT_TYPE_...
+  bool is_normalized = false;  ///< integers stand for [-1, 1] or [0, 1]
+};
+
+/// The elements of the accessor `index`, which must be of `type`, TINYGLTF_TYPE_.... `path` is
+/// where the file refers to it. Throws Error when they leave their view or it leaves its buffer.
+GltfElements elements_of(const GltfFile& file, int index, int type, const std::string& path);
+
+/// The bytes of one component.
+std::size_t component_size(int component);
+
+/// Component `c` of element `i` as a number.
+double number_at(const GltfElements& elements, std::size_t i, std::size_t c);
+
+/// Element `i` of unsigned integers.
+std::uint32_t index_at(const GltfElements& elements, std::size_t i);
+
+}  // namespace lumaknot

@@ -1,0 +1,32 @@
+/// A glTF file in memory: its model and its buffers. Inside exporters only.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lumaknot {
+
+/// The model that tinygltf parsed, without buffers, and the bytes of each of those. Indices in the
+/// model are not checked yet.
+struct GltfFile {
+  GltfFile() = default;
+  GltfFile(const GltfFile&) = delete;
+  GltfFile& operator=(const GltfFile&) = delete;
+
+  std::string name;                        ///< how errors call the file
+  std::string bytes;                       ///< of the file itself
+  std::map<std::string, std::string> own;  ///< of its other buffers, by path or number
+  std::vector<std::string_view> buffers;   ///< views of the two
+  tinygltf::Model model;
+};
+
+/// Reads the file at `path` and its buffers. Throws Error as read_gltf() does.
+std::unique_ptr<const GltfFile> load_gltf(const std::filesystem::path& path, std::string_view name);
+
+}  // namespace lumaknot

@@ -1,0 +1,27 @@
+/// A scene's surface for tools that read Wavefront OBJ.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exporters/package.h"
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// NAME.mtl, whose one material is "lumaknot", and NAME.texture.png unless the texture is a plain
+/// colour. MTL's lighting is in space rgb and has Lambert's term and a highlight (illum 2): Kd the
+/// diffuse weight and colour, times a plain texture, Ks the specular ones, Ns the shininess.
+/// Ambient and emitted light, lights and camera have no place in it. Spaces and '#' in `name`,
+/// which readers take for ends of a name, become '_' in the names of the files. Without mesh; the
+/// .mtl is the last.
+Package obj_materials(const Scene& scene, const std::string& name);
+
+/// Writes the surface to `path`, which ends in .obj, and before it the files of obj_materials()
+/// beside it. Returns the names of the files, that of `path` last. `flag` names it in an Error.
+std::vector<std::string> write_obj_scene(const std::filesystem::path& path, const Scene& scene,
+                                         std::string_view flag);
+
+}  // namespace lumaknot

@@ -1,0 +1,326 @@
+// mesh2: POV-Ray 3.7's manual, section 2.4.2.4.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "exporters/mesh_readers.h"
+#include "exporters/text_scanner.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr std::string_view kRemedy = "export the mesh again";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// The words, numbers and marks of POV-Ray's language, without its comments.
+class PovTokens {
+ public:
+  PovTokens(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+
+  /// The next token, empty at the file's end. Strings keep their quotation marks.
+  std::string_view next() {
+    skip_blanks();
+    const std::size_t begin = at_;
+    if (at_ == text_.size()) return {};
+    if (text_[at_] == '"') {
+      pass_string();
+    } else if (is_letter(text_[at_])) {
+      while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    } else if (begins_number()) {
+      pass_number();
+    } else {
+      ++at_;
+    }
+    return text_.substr(begin, at_ - begin);
+  }
+
+  std::string_view peek() {
+    const PovTokens before = *this;
+    const std::string_view token = next();
+    *this = before;
+    return token;
+  }
+
+  std::uint64_t line() const { return line_; }
+  std::size_t remaining() const { return text_.size() - at_; }
+  [[noreturn]] void fail(std::string_view what) const {
+    throw file_error(name_, "line", line_, what);
+  }
+
+ private:
+  char at(std::size_t ahead) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+
+  void step() {
+    if (text_[at_] == '\n') ++line_;
+    ++at_;
+  }
+
+  void skip_blanks() {
+    while (at_ < text_.size()) {
+      if (text_.substr(at_).starts_with("//")) {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (text_.substr(at_).starts_with("/*")) {
+        pass_comment();
+      } else if (std::string_view(" \t\r\n\f\v").find(text_[at_]) != std::string_view::npos) {
+        step();
+      } else {
+        return;
+      }
+    }
+  }
+
+  /// Comments nest.
+  void pass_comment() {
+    const std::uint64_t begin = line_;
+    int depth = 0;
+    do {
+      if (at_ == text_.size()) {
+        fail(fmt::format("the comment of line {} does not end; {}", begin, kRemedy));
+      }
+      const bool opens = at(0) == '/' && at(1) == '*', closes = at(0) == '*' && at(1) == '/';
+      depth += int(opens) - int(closes);
+      if (opens || closes) ++at_;
+      step();
+    } while (depth > 0);
+  }
+
+  void pass_string() {
+    for (++at_; at(0) != '"'; step()) {
+      if (at_ == text_.size()) fail(fmt::format("a string that does not end; {}", kRemedy));
+      if (at(0) == '\\' && at_ + 1 < text_.size()) ++at_;
+    }
+    ++at_;
+  }
+
+  bool begins_number() const {
+    const std::size_t sign = at(0) == '-' || at(0) == '+';
+    return is_digit(at(sign)) || (at(sign) == '.' && is_digit(at(sign + 1)));
+  }
+
+  void pass_number() {
+    ++at_;
+    while (is_digit(at(0)) || at(0) == '.') ++at_;
+    const std::size_t sign = at(1) == '-' || at(1) == '+';
+    if ((at(0) != 'e' && at(0) != 'E') || !is_digit(at(1 + sign))) return;
+    at_ += 1 + sign;
+    while (is_digit(at(0))) ++at_;
+  }
+
+  std::string_view text_, name_;
+  std::size_t at_ = 0;
+  std::uint64_t line_ = 1;
+};
+
+class PovReader {
+ public:
+  PovReader(std::string_view text, std::string_view name) : tokens_(text, name), name_(name) {}
+
+  Polygons take() {
+    std::size_t found = 0;
+    for (auto token = tokens_.next(); !token.empty(); token = tokens_.next()) {
+      if (token != "mesh2" || tokens_.peek() != "{") continue;
+      mesh2();
+      ++found;
+    }
+    if (found == 0) tokens_.fail("the file ends without a mesh2 { ... }, which alone is read");
+    return std::move(polygons_);
+  }
+
+ private:
+  /// Where a mesh2's own arrays begin among those of all.
+  struct Start {
+    std::size_t position, normal, uv, corner, polygon;
+  };
+  using Indices = std::vector<std::array<std::uint32_t, 3>>;
+
+  void mesh2() {
+    const std::uint64_t line = tokens_.line();
+    start_ = {polygons_.positions.size(), polygons_.normals.size(), polygons_.uvs.size(),
+              polygons_.corners.size(), polygons_.sizes.size()};
+    Indices normal_indices, uv_indices;
+    expect("{");
+    for (auto token = tokens_.next(); token != "}"; token = tokens_.next()) {
+      if (token.empty()) tokens_.fail(fmt::format("the mesh2 of line {} does not end", line));
+      if (token == "vertex_vectors") {
+        list(7, [&] { polygons_.positions.push_back(vector()); });
+      } else if (token == "normal_vectors") {
+        list(7, [&] { polygons_.normals.push_back(vector()); });
+      } else if (token == "uv_vectors") {
+        list(5, [&] { polygons_.uvs.push_back(uv()); });
+      } else if (token == "face_indices") {
+        list(7, [&] { face(); });
+      } else if (token == "normal_indices") {
+        list(7, [&] { normal_indices.push_back(indices()); });
+      } else if (token == "uv_indices") {
+        list(7, [&] { uv_indices.push_back(indices()); });
+      } else {
+        other(token);
+      }
+    }
+    join(normal_indices, uv_indices);
+  }
+
+  /// What does not give the mesh its shape is passed over.
+  void other(std::string_view token) {
+    constexpr std::string_view kMoves[] = {"translate", "rotate", "scale", "matrix", "transform"};
+    if (std::ranges::find(kMoves, token) != std::end(kMoves)) {
+      tokens_.fail(fmt::format("{} moves the mesh, which is not read; move its vertices", token));
+    }
+    if (token != "{") return;
+    const std::uint64_t line = tokens_.line();
+    for (std::size_t depth = 1; depth > 0;) {
+      const std::string_view next = tokens_.next();
+      if (next.empty()) tokens_.fail(fmt::format("the {{ of line {} is not closed", line));
+      depth += next == "{";
+      depth -= next == "}";
+    }
+  }
+
+  void expect(std::string_view wanted) {
+    const std::string_view token = tokens_.next();
+    if (token == wanted) return;
+    if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kRemedy));
+    tokens_.fail(fmt::format("{} where {} should stand: only numbers are read, no expressions",
+                             quoted(token), wanted));
+  }
+
+  void pass_comma() {
+    if (tokens_.peek() == ",") tokens_.next();
+  }
+
+  /// { count, item, item ... }, an item of at least `least` bytes.
+  template <class Item>
+  void list(std::size_t least, Item item) {
+    expect("{");
+    const std::uint64_t count = integer();
+    if (count > tokens_.remaining() / least) {
+      tokens_.fail(fmt::format("a list of {}, which the file can't hold; {}", count, kRemedy));
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+      pass_comma();
+      item();
+    }
+    pass_comma();
+    expect("}");
+  }
+
+  double number() {
+    const std::string_view token = tokens_.next();
+    if (token.empty()) tokens_.fail(fmt::format("cut short before a number; {}", kRemedy));
+    const auto value = number_of(token);
+    if (!value || token[0] == 'n' || token[0] == 'i') {
+      tokens_.fail(
+          fmt::format("{} is no number: only numbers are read, no expressions", quoted(token)));
+    }
+    if (!is_usable(*value)) {
+      tokens_.fail(fmt::format("{} is not a finite float32 number", quoted(token)));
+    }
+    return *value;
+  }
+
+  std::uint64_t integer() {
+    const double value = number();
+    constexpr double kBeyond = 9e15;  // where doubles stop being exact integers
+    if (value >= 0 && value < kBeyond && value == double(std::uint64_t(value))) {
+      return std::uint64_t(value);
+    }
+    tokens_.fail(fmt::format("{} is no count or index; {}", value, kRemedy));
+  }
+
+  Vec3d vector() {
+    expect("<");
+    const double x = number();
+    expect(",");
+    const double y = number();
+    expect(",");
+    const double z = number();
+    expect(">");
+    return {x, y, z};
+  }
+
+  Vec2d uv() {
+    expect("<");
+    const double u = number();
+    expect(",");
+    const double v = number();
+    expect(">");
+    return {u, v};
+  }
+
+  std::array<std::uint32_t, 3> indices() {
+    std::array<std::uint32_t, 3> indices{};
+    expect("<");
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i > 0) expect(",");
+      const std::uint64_t index = integer();
+      if (index >= kNoIndex) tokens_.fail(fmt::format("index {} is not there; {}", index, kRemedy));
+      indices[i] = std::uint32_t(index);
+    }
+    expect(">");
+    return indices;
+  }
+
+  /// A triangle, and the numbers of its textures.
+  void face() {
+    polygons_.places.push_back(tokens_.line());
+    polygons_.sizes.push_back(3);
+    for (const std::uint32_t i : indices()) polygons_.corners.push_back({i, kNoIndex, kNoIndex});
+    for (auto token = tokens_.peek(); token == "," || number_of(token); token = tokens_.peek()) {
+      tokens_.next();
+    }
+  }
+
+  void join(const Indices& normals, const Indices& uvs) {
+    check_size("normal_indices", normals.size());
+    check_size("uv_indices", uvs.size());
+    const bool has_normals = polygons_.normals.size() > start_.normal;
+    const bool has_uvs = polygons_.uvs.size() > start_.uv;
+    for (std::size_t i = start_.corner; i < polygons_.corners.size(); ++i) {
+      PolygonCorner& corner = polygons_.corners[i];
+      const std::size_t face = (i - start_.corner) / 3, at = (i - start_.corner) % 3;
+      const std::uint32_t index = corner.position;
+      const auto moved = [&](std::string_view what, std::uint32_t own, std::size_t start,
+                             std::size_t end) {
+        if (own < end - start) return std::uint32_t(start + own);
+        throw file_error(name_, "line", polygons_.places[start_.polygon + face],
+                         fmt::format("{} {} is not there, the mesh2 has {}, from 0 on; {}", what,
+                                     own, end - start, kRemedy));
+      };
+      corner.position = moved("vertex", index, start_.position, polygons_.positions.size());
+      if (has_normals) {
+        corner.normal = moved("normal", normals.empty() ? index : normals[face][at], start_.normal,
+                              polygons_.normals.size());
+      }
+      if (has_uvs) {
+        corner.uv = moved("texture coordinate", uvs.empty() ? index : uvs[face][at], start_.uv,
+                          polygons_.uvs.size());
+      }
+    }
+  }
+
+  void check_size(std::string_view what, std::size_t size) const {
+    const std::size_t faces = polygons_.sizes.size() - start_.polygon;
+    if (size == 0 || size == faces) return;
+    tokens_.fail(fmt::format("{} {} for {} faces; {}", size, what, faces, kRemedy));
+  }
+
+  PovTokens tokens_;
+  std::string_view name_;
+  Polygons polygons_;
+  Start start_{};
+};
+
+}  // namespace
+
+Polygons read_pov(std::string_view bytes, std::string_view name) {
+  const TextScanner text(bytes, name);  // refuses what is no text
+  return PovReader(bytes, name).take();
+}
+
+}  // namespace lumaknot
