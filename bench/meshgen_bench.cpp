@@ -18,7 +18,6 @@ void make_knot(benchmark::State& state, Convention convention, std::size_t threa
     benchmark::DoNotOptimize(mesh.positions.data());
     benchmark::ClobberMemory();
   }
-  state.SetComplexityN(state.range(0));
   state.counters["vertices"] = double(mesh.positions.size());
   state.counters["triangles"] = double(mesh.triangles.size());
 }
@@ -27,8 +26,7 @@ BENCHMARK_CAPTURE(make_knot, one_thread, Convention::kLumaknot, 1)
     ->Apply(repeated)
     ->ArgName("triangles")
     ->RangeMultiplier(10)
-    ->Range(10'000, 10 * kMillion)
-    ->Complexity(benchmark::oN);
+    ->Range(10'000, 10 * kMillion);
 BENCHMARK_CAPTURE(make_knot, two_threads, Convention::kLumaknot, 2)
     ->Apply(repeated)
     ->ArgName("triangles")

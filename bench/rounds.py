@@ -1,12 +1,14 @@
 """Runs the benches and their peers in turns, and keeps what every turn measured."""
 
 import json
+import re
 import statistics
 import subprocess
 import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
+SIZES = (10**4, 10**5, 10**6, 10**7)
 LARGE = ("6250", "800")  # segments and sides of 10^7 triangles
 LEAST = ("3", "3")
 THREE_GRIDS = ("250x20", "625x80", "2500x200")
@@ -59,6 +61,11 @@ class Turns:
         self.samples = Samples()
         self.context = {}
 
+    def knots(self):
+        """A process for each size: how glibc gives memory depends on what it gave before."""
+        for size in SIZES:
+            self.benches(f"make_knot/.*triangles:{size}/")
+
     def benches(self, pattern):
         """Those of lumaknot_bench whose names match, in milliseconds."""
         told = Path(self.folder) / "benches.json"
@@ -66,7 +73,7 @@ class Turns:
                    "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.1",
                    "--benchmark_out_format=json", f"--benchmark_out={told}"], cwd=self.folder)
         report = json.loads(told.read_text(encoding="utf-8"))
-        self.context = report["context"]
+        self.context.update(report["context"])
         times = {}
         for entry in report["benchmarks"]:
             self.keep(entry, times)
@@ -74,11 +81,9 @@ class Turns:
             self.samples.add(name, values)
 
     def keep(self, entry, times):
-        name = entry["run_name"].removesuffix("/real_time").removesuffix("/iterations:1")
+        name = re.sub(r"/(iterations|repeats):\d+|/real_time", "", entry["run_name"])
         if entry.get("error_occurred"):
             self.samples.failures[name] = entry["error_message"]
-        elif entry.get("aggregate_name") == "RMS":
-            self.samples.add(name + " rms", [entry["rms"]])
         elif entry["run_type"] == "iteration":
             times.setdefault(name, []).append(entry["real_time"])
             self.samples.counters[name] = {key: value for key, value in entry.items() if key in

@@ -24,10 +24,9 @@ struct BulkAllocator {
   BulkAllocator(const BulkAllocator<U>&) {}  // NOLINT: converts as allocators do
 
   T* allocate(std::size_t count) {
-    constexpr std::size_t kHugePage = std::size_t(1) << 21;
     if (count > std::size_t(-1) / 2 / sizeof(T)) throw std::bad_alloc();
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < 2 * kHugePage) return static_cast<T*>(::operator new(bytes));
+    if (bytes < kLeast) return static_cast<T*>(::operator new(bytes));
     const std::size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
     void* memory = std::aligned_alloc(kHugePage, whole);
     if (!memory) throw std::bad_alloc();
@@ -35,8 +34,7 @@ struct BulkAllocator {
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) {
-    constexpr std::size_t kHugePage = std::size_t(1) << 21;
-    if (count * sizeof(T) < 2 * kHugePage) {
+    if (count * sizeof(T) < kLeast) {
       ::operator delete(memory);
     } else {
       std::free(memory);
@@ -48,6 +46,11 @@ struct BulkAllocator {
       ::new (static_cast<void*>(at)) U{std::forward<Args>(args)...};
   }
   friend bool operator==(const BulkAllocator&, const BulkAllocator&) { return true; }
+
+ private:
+  static constexpr std::size_t kHugePage = std::size_t(1) << 21;
+  static constexpr std::size_t kLeast =
+      kHugePage / 4;  // 128 small faults cost more than a large one
 };
 
 /// A vector whose resize() writes nothing: every new element must be given a value before it is
