@@ -25,9 +25,17 @@ struct Overloaded : Fs... {
   using Fs::operator()...;
 };
 
+/// The knot as renderers want it: Babylon.js's triangles are clockwise, for its left-handed world.
+TriangleMesh knot_to_draw(const KnotSpec& knot) {
+  TriangleMesh mesh = knot_mesh(knot);
+  if (knot.convention != Convention::kBabylon) return mesh;
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 TriangleMesh load_mesh(const SceneInput& input) {
   const bool needs_uvs = !std::holds_alternative<PlainColor>(input.spec.texture);
-  return std::visit(Overloaded{[](const KnotSpec& knot) { return knot_mesh(knot); },
+  return std::visit(Overloaded{[](const KnotSpec& knot) { return knot_to_draw(knot); },
                                [&](const MeshFile& file) {
                                  return read_mesh(input.folder / file.path, needs_uvs, "mesh.file");
                                }},
