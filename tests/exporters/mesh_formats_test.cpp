@@ -156,7 +156,7 @@ TEST(OmFile, positions_and_normals_are_doubles_and_texture_coordinates_float32) 
     append_float(uvs, float(uv.u));
     append_float(uvs, float(uv.v));
   }
-  const auto raw = [](const std::vector<Vec3d>& all) {
+  const auto raw = [](const Bulk<Vec3d>& all) {
     return std::string(reinterpret_cast<const char*>(all.data()), all.size() * sizeof(Vec3d));
   };
   EXPECT_THAT(bytes, HasSubstr(raw(mesh.positions)));

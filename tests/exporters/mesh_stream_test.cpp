@@ -14,6 +14,7 @@
 #include "exporters/mesh_writers.h"
 #include "exporters/number_text.h"
 #include "exporters/weld.h"
+#include "meshgen/closed_mesh.h"
 #include "tests/exporters/exporters_testing.h"
 
 namespace lumaknot {
@@ -65,8 +66,9 @@ TEST(PutFloat, longest_numbers_keep_to_their_room) {
 }
 
 TEST(Weld, copies_of_a_position_get_the_number_of_its_first_use) {
-  const Weld weld =
-      lumaknot::weld({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {3, 2, 1}, {-0.0, 0, 0}, {1 + 1e-12, 2, 3}});
+  const std::vector<Vec3d> positions{{1, 2, 3}, {0, 0, 0},    {1, 2, 3},
+                                     {3, 2, 1}, {-0.0, 0, 0}, {1 + 1e-12, 2, 3}};
+  const Weld weld = lumaknot::weld(positions);
   EXPECT_THAT(weld.position, ElementsAre(0, 1, 0, 2, 1, 0));
   EXPECT_EQ(weld.repeats, (std::vector<bool>{false, false, true, false, true, true}));
   EXPECT_EQ(weld.count, 3u);

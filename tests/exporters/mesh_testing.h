@@ -15,6 +15,7 @@
 #include "exporters/mesh_file.h"
 #include "exporters/mesh_readers.h"
 #include "exporters/pov.h"
+#include "meshgen/closed_mesh.h"
 #include "tests/exporters/exporters_testing.h"
 
 namespace lumaknot::testing {

@@ -26,7 +26,7 @@ TEST(ReadObj, indices_may_count_back_from_the_last) {
   const TriangleMesh mesh =
       read_bytes(read_obj, "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n");
   ASSERT_EQ(mesh.triangles.size(), 1u);
-  EXPECT_EQ(mesh.positions, (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.positions, (Bulk<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 TEST(ReadObj, lines_may_end_as_on_windows_continue_and_have_comments) {

@@ -32,7 +32,7 @@ TEST(ReadOff, normals_texture_coordinates_and_colours_stand_in_openmeshs_order) 
                                        "1 0 0 0 1 0 0.1 0.2 0.3 1 1 0\n0 1 0 0 1 0 0 1\n"
                                        "3 0 1 2 255 0 0\n",
                                        true);
-  EXPECT_EQ(mesh.uvs, (std::vector<Vec2d>{{0.5, 0.25}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(mesh.uvs, (Bulk<Vec2d>{{0.5, 0.25}, {1, 0}, {0, 1}}));
   for (const Vec3d& n : mesh.normals) EXPECT_EQ(n, (Vec3d{0, 1, 0}));
 }
 

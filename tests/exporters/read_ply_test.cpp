@@ -60,7 +60,7 @@ TEST(ReadPly, texture_coordinates_of_faces_are_those_of_their_corners) {
                  "property list uchar float texcoord\nend_header\n"
                  "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0.5 0.25 1 0 0 1\n",
                  true);
-  EXPECT_EQ(mesh.uvs, (std::vector<Vec2d>{{0.5, 0.25}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(mesh.uvs, (Bulk<Vec2d>{{0.5, 0.25}, {1, 0}, {0, 1}}));
 }
 
 TEST(ReadPly, normals_are_read) {

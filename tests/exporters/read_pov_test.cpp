@@ -44,7 +44,7 @@ TEST(ReadPov, indices_of_normals_and_texture_coordinates_are_their_own) {
                  "face_indices { 1, <0,1,2>, 0, 1, 2 } normal_indices { 1, <0,0,0> }\n"
                  "uv_indices { 1, <0,1,1> } }",
                  true);
-  EXPECT_EQ(mesh.uvs, (std::vector<Vec2d>{{0.5, 0.25}, {-1, 0.5}, {-1, 0.5}}));
+  EXPECT_EQ(mesh.uvs, (Bulk<Vec2d>{{0.5, 0.25}, {-1, 0.5}, {-1, 0.5}}));
   for (const Vec3d& n : mesh.normals) EXPECT_EQ(n, (Vec3d{0, 1, 0}));
 }
 
