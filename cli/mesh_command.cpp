@@ -65,7 +65,7 @@ void tell(const KnotSpec& knot, const TriangleMesh& mesh, const MeshFlags& flags
   Json json = Json::object();
   if (!flags.output.empty()) {
     json.update({{"output", flags.output},
-                 {"file_vertices", mesh.positions.size()},
+                 {"vertices", mesh.positions.size()},
                  {"triangles", mesh.triangles.size()}});
     flags.out.say(fmt::format("{}: {} vertices, {} triangles", flags.output, mesh.positions.size(),
                               mesh.triangles.size()));

@@ -147,7 +147,8 @@ TEST(WriteMesh, unknown_extension_is_refused_naming_the_flag_and_the_known_ones)
     const auto path = folder.file(name, "old");
     const std::string error = error_of([&] { write_mesh(path, small_mesh(), {}, "--output"); });
     EXPECT_THAT(error, HasSubstr("--output")) << name;
-    EXPECT_THAT(error, HasSubstr("must end in .obj, .ply, .stl, .off, .om or .inc")) << name;
+    EXPECT_THAT(error, HasSubstr("must end in .obj, .ply, .stl, .off, .om, .glb, .gltf or .inc"))
+        << name;
     EXPECT_EQ(bytes_at(path), "old") << name;
   }
 }

@@ -33,10 +33,8 @@ class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
  protected:
   static Validation run(std::string_view name) {
     const SceneSpec spec = *builtin_scene(name);
-    ValidationJob job{{knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), spec.view},
-                      {},
-                      {},
-                      programs()};
+    ValidationJob job{
+        {knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), spec.view}, {}, {}, programs()};
     for (const NamedMaterial& m : paper_materials()) {
       job.finals.push_back(
           {std::string(m.name), Stage::kFinal, *with_formula(spec.view.material, m.name)});
