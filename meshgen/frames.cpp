@@ -86,8 +86,11 @@ double twist_between(const Frame& a, const Frame& b) {
 void check_defined(const std::vector<Frame>& frames, FrameRule rule, const Curve& curve) {
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
     const bool finite = is_finite(frames[i].across) && is_finite(frames[i].tangent);
-    if (finite && std::abs(twist_between(frames[i], frames[i + 1])) < std::numbers::pi / 2)
+    // three.js draws rings that turn over, and so its vertices have them.
+    if (finite && (rule == FrameRule::kThree ||
+                   std::abs(twist_between(frames[i], frames[i + 1])) < std::numbers::pi / 2)) {
       continue;
+    }
     throw Error(fmt::format(
         "frames \"{}\" are undefined on the ({},{}) knot near t = {:.4f} (ring {} of {}{}); use "
         "\"rotation-minimizing\"",
@@ -119,8 +122,9 @@ std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule, int segments)
 
 double twist(const std::vector<Frame>& frames) {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
-    sum += twist_between(frames[i], frames[i + 1]);
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+    sum -= twist_between(frames[i], frames[i + 1]);  // across to over: about minus the tangent
+  }
   return sum;
 }
 

@@ -15,7 +15,7 @@ namespace lumaknot {
 /// misses over the arc length, the way from the last ring to the first included; it converges to
 /// the exact frame at order 4. The others are what other tools do. Throws Error, naming the place
 /// and the remedy, where a rule leaves the frame undefined or turns it by more than a quarter from
-/// one ring to the next.
+/// one ring to the next, which kThree alone may.
 std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule, int segments);
 
 /// three.js's frame: the ring's plane holds the normal of the plane through the origin, the point
