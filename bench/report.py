@@ -181,9 +181,13 @@ def rows_of(samples):
             yield Row(name, [], met=False, beside=why)
 
 
+def number(value):
+    return f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
+
+
 def line(row):
-    values = f"{row.median():.3g}{row.unit}" if row.values else "-"
-    spread = f"{min(row.values):.3g} ... {max(row.values):.3g}" if row.values else "-"
+    values = number(row.median()) + row.unit if row.values else "-"
+    spread = f"{number(min(row.values))} ... {number(max(row.values))}" if row.values else "-"
     verdict = {None: "", True: "met", False: "MISSED"}[row.met]
     return f"| {row.what} | {values} | {spread} | {row.bar} | {verdict} | {row.beside} |"
 
