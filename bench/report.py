@@ -17,7 +17,7 @@ import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from rounds import SIZES, Turns
+from rounds import SIZES, Failed, Turns
 
 
 @dataclass
@@ -175,15 +175,19 @@ def other_rows(samples):
 def rows_of(samples):
     for rows in (three_rows, large_rows, linear_rows, memory_rows, file_rows, obj_rows, other_rows):
         yield from rows(samples)
-    told = ("memory/", "write_knot/ply", "write_knot/glb")  # in their own rows
+    told = ("memory/", "write_knot/")  # by their own rows
     for name, why in samples.failures.items():
         if not name.startswith(told):
             yield Row(name, [], met=False, beside=why)
 
 
+def number(value):
+    return f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
+
+
 def line(row):
-    values = f"{row.median():.3g}{row.unit}" if row.values else "-"
-    spread = f"{min(row.values):.3g} ... {max(row.values):.3g}" if row.values else "-"
+    values = number(row.median()) + row.unit if row.values else "-"
+    spread = f"{number(min(row.values))} ... {number(max(row.values))}" if row.values else "-"
     verdict = {None: "", True: "met", False: "MISSED"}[row.met]
     return f"| {row.what} | {values} | {spread} | {row.bar} | {verdict} | {row.beside} |"
 
@@ -217,7 +221,10 @@ def flags():
 
 def main():
     arguments = flags()
-    turns = measure(arguments)
+    try:
+        turns = measure(arguments)
+    except Failed as failure:
+        sys.exit(str(failure))
     rows = list(rows_of(turns.samples))
     print(table(rows))
     load = os.getloadavg()[0]
