@@ -21,7 +21,7 @@ struct BulkAllocator {
 
   BulkAllocator() = default;
   template <class U>
-  BulkAllocator(const BulkAllocator<U>&) {}  // NOLINT: converts as allocators do
+  BulkAllocator(const BulkAllocator<U>&) {}  // converts, as allocators do
 
   T* allocate(std::size_t count) {
     if (count > std::size_t(-1) / 2 / sizeof(T)) throw std::bad_alloc();
