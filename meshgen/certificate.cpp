@@ -60,16 +60,14 @@ void widen(Range& range, double value) {
   range.most = std::max(range.most, value);
 }
 
-Stretch stretch_of(const Rings& rings, const Spine& spine, const KnotSpec& knot) {
+Stretch stretch_of(const Rings& rings, std::span<const double> lengths, const KnotSpec& knot) {
   constexpr Range kNone{std::numeric_limits<double>::max(), 0};
   Stretch stretch{kNone, kNone, kNone};
-  const double tile = spine.length() / knot.repeat_u;  // along, on average
+  const double tile = lengths.back() / knot.repeat_u;  // along, on average
   const double share = 2 * kPi * knot.tube_radius / knot.sides;
   for (int i = 0; i < knot.segments; ++i) {
     const double step = (rings.u(i + 1) - rings.u(i)) * tile;
-    const double from = spine.arc_length(ring_parameter(i, knot.segments));
-    const double to = spine.arc_length(ring_parameter(i + 1, knot.segments));
-    widen(stretch.along, (to - from) / step);
+    widen(stretch.along, (lengths[std::size_t(i) + 1] - lengths[std::size_t(i)]) / step);
     for (int j = 0; j < knot.sides; ++j) {
       widen(stretch.surface, length(rings.position(i + 1, j) - rings.position(i, j)) / step);
       widen(stretch.around, length(rings.position(i, j + 1) - rings.position(i, j)) / share);
@@ -147,7 +145,8 @@ Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
   result.exact_volume = kPi * knot.tube_radius * knot.tube_radius * result.length;
   result.exact_area = 2 * kPi * knot.tube_radius * result.length;
   result.holonomy = spine.holonomy() * kDegrees;
-  const std::vector<Frame> frames = ring_frames(spine, knot.frames, knot.segments);
+  const std::vector<double> lengths = spine.arc_lengths(knot.segments);
+  const std::vector<Frame> frames = ring_frames(spine, knot.frames, lengths);
   result.twist = twist(frames) * kDegrees;
   result.closing_error = angle_between(frames.front().across, frames.back().across);
   const GridLayout layout = layout_of(knot);
@@ -155,7 +154,7 @@ Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
     const double tilt = ring_tilt(Rings(mesh, layout, k), lines[k], knot.segments);
     result.ring_tilt = std::max(result.ring_tilt, tilt);
   }
-  result.stretch = stretch_of(Rings(mesh, layout, 0), spine, knot);
+  result.stretch = stretch_of(Rings(mesh, layout, 0), lengths, knot);
   result.clearance = clearance(components(knot));
   measure_deviation(result, knot, mesh, TubeSurface(spine, knot.tube_radius));
   return result;

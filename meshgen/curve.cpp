@@ -29,19 +29,39 @@ std::vector<Curve> components(const KnotSpec& knot) {
   return curves;
 }
 
+Direction direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+std::vector<Direction> directions(int n) {
+  std::vector<Direction> result(static_cast<std::size_t>(n));
+  for (int k = 0; 2 * k <= n; ++k) {
+    const Direction here = direction_of(ring_parameter(k, n));
+    result[std::size_t((n - k) % n)] = {here.c, -here.s};
+    result[std::size_t(k)] = here;
+  }
+  return result;
+}
+
+Turn turn_of(const Curve& curve, double t) {
+  return {direction_of(curve.p * t + curve.longitude), direction_of(curve.q * t + curve.meridian)};
+}
+
+std::vector<Turn> ring_turns(const Curve& curve, int n) {
+  const std::vector<Direction> parts = directions(n);
+  const Turn phase = turn_of(curve, 0);
+  Winding around(curve.p, n), through(curve.q, n);
+  std::vector<Turn> turns;
+  turns.reserve(parts.size() + 1);
+  for (int i = 0; i <= n; ++i) {
+    turns.push_back(
+        {sum(parts[around.part()], phase.longitude), sum(parts[through.part()], phase.meridian)});
+    around.advance();
+    through.advance();
+  }
+  return turns;
+}
+
 CurvePoint curve_point(const Curve& curve, double t) {
-  const double p = curve.p, q = curve.q, w = curve.winding_radius;
-  const double phi = p * t + curve.longitude, psi = q * t + curve.meridian;
-  const Vec3d out{std::cos(phi), std::sin(phi), 0}, along{-out.y, out.x, 0};
-  // The distance from the axis and the height, with their derivatives.
-  const double cp = std::cos(psi), sp = std::sin(psi);
-  const double r0 = curve.ring_radius + w * cp, r1 = -w * q * sp, r2 = -w * q * q * cp;
-  const double r3 = w * q * q * q * sp;
-  // (r out)' = r' out + r p along, as out' = p along and along' = -p out.
-  return {out * r0 + Vec3d{0, 0, w * sp}, out * r1 + along * (p * r0) + Vec3d{0, 0, w * q * cp},
-          out * (r2 - p * p * r0) + along * (2 * p * r1) + Vec3d{0, 0, -w * q * q * sp},
-          out * (r3 - 3 * p * p * r1) + along * (3 * p * r2 - p * p * p * r0) +
-              Vec3d{0, 0, -w * q * q * q * cp}};
+  return curve_point(curve, turn_of(curve, t));
 }
 
 double ring_parameter(int i, int n) { return 2 * std::numbers::pi * i / n; }

@@ -21,10 +21,71 @@ struct Curve {
 /// has no extent.
 std::vector<Curve> components(const KnotSpec& knot);
 
+/// The cosine and the sine of an angle.
+struct Direction {
+  double c = 1, s = 0;
+};
+
+Direction direction_of(double angle);
+
+/// Those of the angles 2 pi k / n, 0 <= k < n.
+std::vector<Direction> directions(int n);
+
+/// The angle of the sum of two.
+inline Direction sum(Direction a, Direction b) {
+  return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+}
+
+/// The longitude and the meridian of a point of a curve.
+struct Turn {
+  Direction longitude, meridian;
+};
+
+/// Those at the parameter t, in radians.
+Turn turn_of(const Curve& curve, double t);
+
+/// Those at t = 2 pi i / n for 0 <= i <= n.
+std::vector<Turn> ring_turns(const Curve& curve, int n);
+
+/// The multiples of `step` n-ths of a turn: whole turns, and a part of 0 to n - 1.
+class Winding {
+ public:
+  Winding(int step, int n)
+      : n_(n), part_step_((step % n + n) % n), turn_step_((step - part_step_) / n) {}
+
+  std::size_t part() const { return std::size_t(part_); }
+  double turns() const { return double(turns_); }
+  void advance() {
+    part_ += part_step_;
+    turns_ += turn_step_ + (part_ >= n_);
+    if (part_ >= n_) part_ -= n_;
+  }
+
+ private:
+  long long n_, part_step_, turn_step_, part_ = 0, turns_ = 0;
+};
+
 /// A point of the curve and its exact derivatives by the parameter, in scene units a radian^k.
 struct CurvePoint {
   Vec3d position, first, second, third;
 };
+
+/// The point there. Inline: who wants the position alone pays for no
+/// derivatives.
+inline CurvePoint curve_point(const Curve& curve, const Turn& at) {
+  const auto& [longitude, meridian] = at;
+  const double p = curve.p, q = curve.q, w = curve.winding_radius;
+  const Vec3d out{longitude.c, longitude.s, 0}, along{-longitude.s, longitude.c, 0};
+  // The distance from the axis and the height, with their derivatives.
+  const double cp = meridian.c, sp = meridian.s;
+  const double r0 = curve.ring_radius + w * cp, r1 = -w * q * sp, r2 = -w * q * q * cp;
+  const double r3 = w * q * q * q * sp;
+  // (r out)' = r' out + r p along, as out' = p along and along' = -p out.
+  return {out * r0 + Vec3d{0, 0, w * sp}, out * r1 + along * (p * r0) + Vec3d{0, 0, w * q * cp},
+          out * (r2 - p * p * r0) + along * (2 * p * r1) + Vec3d{0, 0, -w * q * q * sp},
+          out * (r3 - 3 * p * p * r1) + along * (3 * p * r2 - p * p * p * r0) +
+              Vec3d{0, 0, -w * q * q * q * cp}};
+}
 
 /// The point at the parameter t, in radians.
 CurvePoint curve_point(const Curve& curve, double t);

@@ -37,42 +37,51 @@ Frame turned(const Frame& f, double angle) {
   return frame_with(f.position, f.tangent, f.across * std::cos(angle) + f.over * std::sin(angle));
 }
 
-std::vector<Frame> double_reflection(const Spine& spine, int segments) {
+std::vector<Frame> double_reflection(const Spine& spine, std::span<const double> arc_lengths) {
+  const std::vector<Turn> turns = ring_turns(spine.curve(), int(arc_lengths.size()) - 1);
   std::vector<Frame> frames{spine.frame(0)};
-  for (int i = 1; i <= segments; ++i) {
-    // The last point is the first to the bit, not its neighbour by rounding of 2 pi.
-    const CurvePoint point = curve_point(spine.curve(), ring_parameter(i % segments, segments));
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const CurvePoint point = curve_point(spine.curve(), turns[i]);
     frames.push_back(step(frames.back(), point.position, normalize(point.first)));
   }
   const double missing = angle_from(frames.front(), frames.back());
-  for (int i = 0; i <= segments; ++i) {
-    const double share = spine.arc_length(ring_parameter(i, segments)) / spine.length();
-    frames[std::size_t(i)] = turned(frames[std::size_t(i)], -missing * share);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    frames[i] = turned(frames[i], -missing * (arc_lengths[i] / spine.length()));
   }
   return frames;
 }
 
-Frame frenet(const Curve& curve, double t) {
-  const CurvePoint point = curve_point(curve, t);
+Frame frenet(const Curve& curve, const Turn& at) {
+  const CurvePoint point = curve_point(curve, at);
   const Vec3d tangent = normalize(point.first);
   return frame_with(point.position, tangent, point.second / dot(point.first, point.first));
 }
 
-Frame fixed_up(const Curve& curve, double t) {
-  const CurvePoint point = curve_point(curve, t);
+Frame fixed_up(const Curve& curve, const Turn& at) {
+  const CurvePoint point = curve_point(curve, at);
   return frame_with(point.position, normalize(point.first), {0, 0, 1});
 }
 
-Frame frame_by(const Spine& spine, FrameRule rule, double t) {
+/// three.js's frame: the ring's plane holds the normal of the plane through the origin, the point
+/// and one 0.01 radians of longitude farther on; tilted against the centre line by what a finite
+/// difference errs. `tangent` is that difference, unit. Not a number where it is undefined.
+Frame three_frame(const Curve& curve, const Turn& at) {
+  const double rate = 0.01 / curve.p;
+  const Turn next{sum(at.longitude, direction_of(rate * curve.p)),
+                  sum(at.meridian, direction_of(rate * curve.q))};
+  const Vec3d here = curve_point(curve, at).position, there = curve_point(curve, next).position;
+  const Vec3d along = there - here, over = cross(along, there + here);
+  return {here, normalize(along), -normalize(cross(over, along)), normalize(over)};
+}
+
+Frame frame_by(FrameRule rule, const Curve& curve, const Turn& at) {
   switch (rule) {
     case FrameRule::kFrenet:
-      return frenet(spine.curve(), t);
+      return frenet(curve, at);
     case FrameRule::kFixedUp:
-      return fixed_up(spine.curve(), t);
-    case FrameRule::kThree:
-      return three_frame(spine.curve(), t);
+      return fixed_up(curve, at);
     default:
-      return spine.frame(t);
+      return three_frame(curve, at);
   }
 }
 
@@ -102,21 +111,15 @@ void check_defined(const std::vector<Frame>& frames, FrameRule rule, const Curve
 
 }  // namespace
 
-Frame three_frame(const Curve& curve, double t) {
-  const Vec3d here = curve_point(curve, t).position;
-  const Vec3d there = curve_point(curve, t + 0.01 / curve.p).position;
-  const Vec3d along = there - here, over = cross(along, there + here);
-  return {here, normalize(along), -normalize(cross(over, along)), normalize(over)};
-}
-
-std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule, int segments) {
-  if (rule == FrameRule::kDoubleReflection) return double_reflection(spine, segments);
+std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule,
+                               std::span<const double> arc_lengths) {
+  if (rule == FrameRule::kRotationMinimizing) return spine.frames(arc_lengths);
+  if (rule == FrameRule::kDoubleReflection) return double_reflection(spine, arc_lengths);
   std::vector<Frame> frames;
-  frames.reserve(std::size_t(segments) + 1);
-  for (int i = 0; i <= segments; ++i) {
-    frames.push_back(frame_by(spine, rule, ring_parameter(i, segments)));
+  for (const Turn& at : ring_turns(spine.curve(), int(arc_lengths.size()) - 1)) {
+    frames.push_back(frame_by(rule, spine.curve(), at));
   }
-  if (rule != FrameRule::kRotationMinimizing) check_defined(frames, rule, spine.curve());
+  check_defined(frames, rule, spine.curve());
   return frames;
 }
 

@@ -13,20 +13,17 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::vector<Direction> directions(int sides, double fraction) {
+/// At the sides j + fraction.
+std::vector<Direction> between_sides(int sides, double fraction) {
   std::vector<Direction> all;
-  for (int j = 0; j < sides; ++j) {
-    const double theta = 2 * kPi * (j + fraction) / sides;
-    all.push_back({std::cos(theta), std::sin(theta)});
-  }
+  for (int j = 0; j < sides; ++j) all.push_back(direction_of(2 * kPi * (j + fraction) / sides));
   return all;
 }
 
 /// The side's direction, from the table if there is one.
-Direction direction_of(const TubeGrid& grid, int side) {
+Direction side_direction(const TubeGrid& grid, int side) {
   if (!grid.whole.empty()) return grid.whole[std::size_t(side % grid.sides)];
-  const double theta = 2 * kPi * (side % grid.sides) / grid.sides;
-  return {std::cos(theta), std::sin(theta)};
+  return direction_of(ring_parameter(side % grid.sides, grid.sides));
 }
 
 Vec3d normal_at(const Frame& frame, const Direction& d) {
@@ -84,10 +81,10 @@ TubeGrid tube_grid(const TubeSurface& surface, int segments, int sides,
           sides,
           positions,
           normals,
-          directions(sides, 0),
-          directions(sides, 1.0 / 3),
-          directions(sides, 0.5),
-          directions(sides, 2.0 / 3)};
+          directions(sides),
+          between_sides(sides, 1.0 / 3),
+          between_sides(sides, 0.5),
+          between_sides(sides, 2.0 / 3)};
 }
 
 void WorstFindings::offer(double value, const Site& site) {
@@ -110,7 +107,7 @@ GridRow grid_row(const TubeGrid& grid, int segment, int side, int count) {
   for (int k = 0; k <= count; ++k) {
     const int j = side + k;
     if (grid.positions.empty()) {
-      row.normals.push_back(normal_at(row.frame, direction_of(grid, j)));
+      row.normals.push_back(normal_at(row.frame, side_direction(grid, j)));
       row.positions.push_back(row.frame.position + row.normals.back() * grid.surface.tube_radius());
     } else {
       const std::size_t vertex =

@@ -9,11 +9,6 @@
 
 namespace lumaknot {
 
-/// cos and sin of an angle about the tube.
-struct Direction {
-  double c, s;
-};
-
 /// A grid on a tube, vertex (i, j) for t = ring_parameter(i, segments), theta = 2 pi j / sides. The
 /// quad (i, j) is cut into (i,j),(i+1,j),(i+1,j+1) and (i,j),(i+1,j+1),(i,j+1).
 struct TubeGrid {

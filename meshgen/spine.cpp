@@ -13,13 +13,8 @@ constexpr double kPi = std::numbers::pi;
 /// |C'| by the meridian angle alone.
 double speed_at_meridian(const Curve& curve, double psi) {
   const double reach = curve.ring_radius + curve.winding_radius * std::cos(psi);
-  return std::hypot(curve.winding_radius * curve.q, reach * curve.p);
-}
-
-/// The unit normal of the torus under the curve.
-Vec3d torus_normal(const Curve& curve, double t) {
-  const double phi = curve.p * t + curve.longitude, psi = curve.q * t + curve.meridian;
-  return {std::cos(psi) * std::cos(phi), std::cos(psi) * std::sin(phi), std::sin(psi)};
+  const double around = curve.winding_radius * curve.q, along = reach * curve.p;
+  return std::sqrt(around * around + along * along);  // hypot() is twice as dear
 }
 
 /// cos(k (i + 1/2) pi / degree) in row i, column k.
@@ -38,22 +33,27 @@ std::array<std::array<double, degree>, degree> chebyshev_cosines() {
 PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function) {
   double sum = 0;
   for (int i = 0; i < kDegree; ++i) sum += std::abs(function(kPi * (i + 0.5) / kDegree));
-  fit(function, 0, kPi, 4e-15 * kPi * sum / kDegree, 0);
+  constexpr int kPanels = 8;  // what most knots take
+  for (int k = 0; k < kPanels; ++k) {
+    fit(function, kPi * k / kPanels, kPi / kPanels, 4e-15 * kPi * sum / kDegree, 0);
+  }
 }
 
 // The series a_k of the function, k < kDegree, from its values at the Chebyshev points; that of its
 // integral has c_k = (a_(k-1) - a_(k+1)) / (2 k) times half the width.
 void PeriodicIntegral::fit(const std::function<double(double)>& function, double from, double width,
                            double tolerance, int depth) {
-  constexpr int kDeepest = 20;  // a panel of 3e-6 radians
+  constexpr int kDeepest = 17;  // a panel of 3e-6 radians
   static const auto kCosines = chebyshev_cosines<kDegree>();
   std::array<double, kDegree + 2> a{};
   for (const auto& cosines : kCosines) {
     const double value = function(from + width * (cosines[1] + 1) / 2);
     for (std::size_t k = 0; k < kDegree; ++k) {
-      a[k] += value * cosines[k] * (k == 0 ? 1.0 : 2.0) / kDegree;
+      a[k] += value * cosines[k];
     }
   }
+  a[0] /= 2;
+  for (double& each : a) each *= 2.0 / kDegree;
   const double tail = std::abs(a[kDegree - 1]) + std::abs(a[kDegree - 2]);
   // Of the whole integral, not of the panel's: a steep function's own rounding stays below it. The
   // integral divides these by 2 k besides: 1e-16 of it is left.
@@ -72,21 +72,38 @@ void PeriodicIntegral::fit(const std::function<double(double)>& function, double
   sums_.push_back(sums_.back() + std::accumulate(panel.c.begin(), panel.c.end(), 0.0));
 }
 
+double PeriodicIntegral::within(std::size_t index, double x) const {
+  const Panel& panel = panels_[index];
+  const double y = 2 * (x - panel.from) / panel.width - 1;
+  double b1 = 0, b2 = 0;  // Clenshaw's sums
+  for (std::size_t k = kDegree; k > 0; --k) {
+    const double b0 = 2 * y * b1 + (panel.c[k] - b2);  // b2 is ready before b1
+    b2 = b1;
+    b1 = b0;
+  }
+  return sums_[index] + (y * b1 - b2 + panel.c[0]);
+}
+
 double PeriodicIntegral::operator()(double x) const {
   const double periods = std::round(x / (2 * kPi));
   const double rest = std::clamp(x - 2 * kPi * periods, -kPi, kPi), size = std::abs(rest);
   const auto after = std::ranges::upper_bound(panels_, size, {}, &Panel::from);
-  const std::size_t index = std::size_t(after - panels_.begin()) - 1;
-  const Panel& panel = panels_[index];
-  const double y = 2 * (size - panel.from) / panel.width - 1;
-  double b1 = 0, b2 = 0;  // Clenshaw's sums
-  for (std::size_t k = kDegree; k > 0; --k) {
-    const double b0 = 2 * y * b1 - b2 + panel.c[k];
-    b2 = b1;
-    b1 = b0;
+  const double part = within(std::size_t(after - panels_.begin()) - 1, size);
+  return 2 * periods * sums_.back() + std::copysign(part, rest);
+}
+
+std::vector<double> PeriodicIntegral::table(int n) const {
+  std::vector<double> values(std::size_t(n) + 1);
+  std::size_t panel = 0;
+  for (int k = 0; 2 * k <= n; ++k) {
+    const double x = std::min(ring_parameter(k, n), kPi);
+    while (panel + 1 < panels_.size() && panels_[panel + 1].from <= x) ++panel;
+    values[std::size_t(k)] = within(panel, x);
+    values[std::size_t(n - k)] = 2 * sums_.back() - values[std::size_t(k)];  // it is even
   }
-  const double part = y * b1 - b2 + panel.c[0];
-  return 2 * periods * sums_.back() + std::copysign(sums_[index] + part, rest);
+  values.front() = 0;  // to the bit, which a series' rounding is not
+  values.back() = 2 * sums_.back();
+  return values;
 }
 
 Spine::Spine(const Curve& curve)
@@ -111,17 +128,55 @@ double Spine::arc_length(double t) const {
 
 double Spine::least_twist(double t) const {
   if (curve_.q == 0) return 0;
-  return curve_.p * curve_.q * curve_.ring_radius * integral_of(slowness_, slowness_start_, t);
+  return twist_rate() * integral_of(slowness_, slowness_start_, t);
+}
+
+Frame Spine::frame_at(const Turn& at, double twist, double arc_length) const {
+  const auto& [longitude, meridian] = at;
+  const CurvePoint point = curve_point(curve_, at);
+  const Vec3d tangent = normalize(point.first);
+  const Vec3d normal{meridian.c * longitude.c, meridian.c * longitude.s, meridian.s};  // the torus'
+  const Direction turn = direction_of(twist - holonomy_ * (arc_length / length_));
+  const Vec3d across = normal * turn.c + cross(tangent, normal) * turn.s;
+  return {point.position, tangent, across, cross(across, tangent)};
 }
 
 Frame Spine::frame(double t) const {
-  const CurvePoint point = curve_point(curve_, t);
-  const Vec3d tangent = normalize(point.first), normal = torus_normal(curve_, t);
-  const Vec3d side = cross(tangent, normal);
-  const double alpha = least_twist(t) - holonomy_ * (arc_length(t) / length_);
-  const double c = std::cos(alpha), s = std::sin(alpha);
-  const Vec3d across = normal * c + side * s;
-  return {point.position, tangent, across, cross(across, tangent)};
+  return frame_at(turn_of(curve_, t), least_twist(t), arc_length(t));
+}
+
+// A ring's meridian is a whole number of n-ths of a turn, whatever q; the phase is zero unless q
+// is, and then nothing is integrated.
+std::vector<double> Spine::at_rings(const PeriodicIntegral& integral, int n) const {
+  const std::vector<double> table = integral.table(n);
+  std::vector<double> values;
+  values.reserve(table.size());
+  Winding meridian(curve_.q, n);
+  for (int i = 0; i <= n; ++i) {
+    values.push_back((meridian.turns() * table.back() + table[meridian.part()]) / curve_.q);
+    meridian.advance();
+  }
+  return values;
+}
+
+std::vector<double> Spine::arc_lengths(int n) const {
+  if (curve_.q != 0) return at_rings(speed_, n);
+  std::vector<double> lengths;
+  for (int i = 0; i <= n; ++i) lengths.push_back(arc_length(ring_parameter(i, n)));
+  return lengths;
+}
+
+std::vector<Frame> Spine::frames(std::span<const double> arc_lengths) const {
+  const int n = int(arc_lengths.size()) - 1;
+  const std::vector<Turn> turns = ring_turns(curve_, n);
+  const std::vector<double> slowness =
+      curve_.q != 0 ? at_rings(slowness_, n) : std::vector<double>(arc_lengths.size());
+  std::vector<Frame> frames;
+  frames.reserve(turns.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    frames.push_back(frame_at(turns[i], twist_rate() * slowness[i], arc_lengths[i]));
+  }
+  return frames;
 }
 
 }  // namespace lumaknot

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "meshgen/curve.h"
@@ -22,6 +23,8 @@ class PeriodicIntegral {
   explicit PeriodicIntegral(const std::function<double(double)>& function);
   /// From 0 to `x`, in radians.
   double operator()(double x) const;
+  /// From 0 to 2 pi k / n for 0 <= k <= n.
+  std::vector<double> table(int n) const;
 
  private:
   static constexpr int kDegree = 16;
@@ -31,6 +34,7 @@ class PeriodicIntegral {
     std::array<double, kDegree + 1> c;
   };
 
+  double within(std::size_t panel, double x) const;
   void fit(const std::function<double(double)>& function, double from, double width,
            double tolerance, int depth);
 
@@ -60,12 +64,20 @@ class Spine {
   /// The closed frame at t, its error some 1e-15 radians a turn.
   Frame frame(double t) const;
 
+  /// arc_length() at the rings t = 2 pi i / n, 0 <= i <= n, for much less.
+  std::vector<double> arc_lengths(int n) const;
+  /// frame() at as many rings as arc_lengths() gave.
+  std::vector<Frame> frames(std::span<const double> arc_lengths) const;
+
   /// The turns of the closed frame against the torus' normal in one loop: a whole number.
   int turns() const { return turns_; }
 
  private:
+  std::vector<double> at_rings(const PeriodicIntegral& integral, int n) const;
   double integral_of(const PeriodicIntegral& integral, double start, double t) const;
   double least_twist(double t) const;
+  double twist_rate() const { return curve_.p * curve_.q * curve_.ring_radius; }
+  Frame frame_at(const Turn& at, double twist, double arc_length) const;
 
   Curve curve_;
   PeriodicIntegral speed_, slowness_;

@@ -27,7 +27,8 @@ Spine spine_of(int p, int q) { return Spine(components(knot_of(p, q)).front()); 
 
 std::vector<Frame> frames_of(int p, int q, int segments,
                              FrameRule rule = FrameRule::kRotationMinimizing) {
-  return ring_frames(spine_of(p, q), rule, segments);
+  const Spine spine = spine_of(p, q);
+  return ring_frames(spine, rule, spine.arc_lengths(segments));
 }
 
 constexpr FrameRule kRules[] = {FrameRule::kRotationMinimizing, FrameRule::kDoubleReflection,
@@ -154,19 +155,22 @@ TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
     knot.winding_radius = 0.5;
     return Spine(components(knot).front());
   };
+  const auto three_frames = [](const Spine& s) {
+    return ring_frames(s, FrameRule::kThree, s.arc_lengths(4000));
+  };
   const auto tilt = [&](int p, int q) {
     double worst = 0;
     const Spine s = spine(p, q);
+    const std::vector<Frame> frames = three_frames(s);
     for (int i = 0; i < 4000; ++i) {
-      const double t = ring_parameter(i, 4000);
-      const Frame f = three_frame(s.curve(), t);
-      const Vec3d tangent = normalize(curve_point(s.curve(), t).first);
+      const Frame& f = frames[std::size_t(i)];
+      const Vec3d tangent = normalize(curve_point(s.curve(), ring_parameter(i, 4000)).first);
       worst = std::max(worst, std::asin(length(cross(cross(f.over, f.across), tangent))));
     }
     return worst * 180 / kPi;
   };
   const auto turns = [&](int p, int q) {
-    return std::abs(twist(ring_frames(spine(p, q), FrameRule::kThree, 4000))) * 180 / kPi;
+    return std::abs(twist(three_frames(spine(p, q)))) * 180 / kPi;
   };
   EXPECT_NEAR(tilt(2, 3), 0.47, 0.005);  // the figures are known to these digits
   EXPECT_NEAR(tilt(1, 20), 5.7, 0.05);
@@ -175,7 +179,8 @@ TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
 }
 
 std::string refusal(const KnotSpec& knot, FrameRule rule) {
-  return error_of([&] { ring_frames(Spine(components(knot).front()), rule, 401); });
+  const Spine spine(components(knot).front());
+  return error_of([&] { ring_frames(spine, rule, spine.arc_lengths(401)); });
 }
 
 TEST(Frames, of_frenet_are_refused_where_the_curvature_is_zero) {
