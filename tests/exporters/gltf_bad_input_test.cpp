@@ -155,13 +155,6 @@ TEST(BadGltf, one_wrong_node_of_many_is_told) {
   }
 }
 
-TEST(BadGltf, members_that_are_there_twice_are_refused) {
-  expect_refused(error_of_bytes(R"({"asset": {"version": "2.0", "version": "2.1"}})"),
-                 "asset.version is there twice");
-  expect_refused(error_of_bytes(R"({"nodes": [{}, {"mesh": 0, "mesh": 1}]})"),
-                 "nodes[1].mesh is there twice");
-}
-
 TEST(BadGltf, a_cycle_that_no_scene_names_is_not_walked) {
   GltfParts parts = triangle_parts();
   parts.json["nodes"].push_back({{"children", {2}}, {"mesh", 0}});
@@ -214,22 +207,25 @@ TEST(BadGltf, indices_beyond_the_vertices_are_refused) {
                  "meshes[0].primitives[0].indices names vertex 3 at 1");
 }
 
-TEST(BadGltf, wrong_containers_are_told_by_the_byte) {
+TEST(BadGltf, wrong_files_are_told_by_the_byte_or_path) {
   const std::string good = testing::glb_of(triangle_parts());
   const auto with = [&](std::size_t at, std::string_view bytes) {
     return std::string(good).replace(at, bytes.size(), bytes);
   };
-  expect_refused(error_of_bytes(""), "byte 1 of the text is not JSON");
-  expect_refused(error_of_bytes("glTF"), "byte 4");
-  expect_refused(error_of_bytes("not a mesh"), "byte 2 of the text is not JSON");
-  expect_refused(error_of_bytes("[]"), "the document must be an object");
-  expect_refused(error_of_bytes(R"({"asset": {"version": 1e999}})"),
-                 "byte 27 of the text is not JSON");
-  expect_refused(error_of_bytes(with(4, std::string("\1\0\0\0", 4))), "byte 4 has version 1");
-  expect_refused(error_of_bytes(good + "more"), "byte 8 tells of");
-  expect_refused(error_of_bytes(good.substr(0, 100)), "byte 8 tells of");
-  expect_refused(error_of_bytes(with(12, "\xff\xff\xff\xff")), "byte 12 begins a chunk");
-  expect_refused(error_of_bytes(with(16, "BSON")), "byte 16 must begin with a JSON chunk");
+  const std::pair<std::string, const char*> cases[] = {
+      {"", "byte 1 of the text is not JSON"},
+      {"glTF", "byte 4"},
+      {"not a mesh", "byte 2 of the text is not JSON"},
+      {"[]", "the document must be an object"},
+      {R"({"asset": {"version": 1e999}})", "byte 27 of the text is not JSON"},
+      {with(4, std::string("\1\0\0\0", 4)), "byte 4 has version 1"},
+      {good + "more", "byte 8 tells of"},
+      {good.substr(0, 100), "byte 8 tells of"},
+      {with(12, "\xff\xff\xff\xff"), "byte 12 begins a chunk"},
+      {with(16, "BSON"), "byte 16 must begin with a JSON chunk"},
+      {R"({"asset": {"version": "2.0", "version": "2.1"}})", "asset.version is there twice"},
+      {R"({"nodes": [{}, {"mesh": 0, "mesh": 1}]})", "nodes[1].mesh is there twice"}};
+  for (const auto& [bytes, place] : cases) expect_refused(error_of_bytes(bytes), place);
 }
 
 TEST(BadGltf, buffers_outside_the_folder_are_not_read) {
