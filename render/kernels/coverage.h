@@ -118,10 +118,13 @@ class BlockDepths {
         slope_y_(d.slope_y),
         first_(d.depth + slope_x_ * (0.5 - d.anchor_x) + slope_y_ * (0.5 - d.anchor_y)) {}
 
-  /// Of the block whose first pixel is (x, y).
-  Floats<A> at(int x, int y, SamplePlace place) const {
-    const double right = x + place.x * (1 / 16.0), down = y + place.y * (1 / 16.0);
-    return min(max(Floats<A>(first_ + slope_x_ * right + slope_y_ * down) + lanes_, least_), most_);
+  /// At the first pixel's centre of the block whose first pixel is (x, y).
+  double first(int x, int y) const { return first_ + slope_x_ * x + slope_y_ * y; }
+
+  /// Of the block, `first` moved to the sample.
+  Floats<A> at(double first, SamplePlace place) const {
+    const double moved = first + slope_x_ / 16 * place.x + slope_y_ / 16 * place.y;
+    return min(max(Floats<A>(moved) + lanes_, least_), most_);
   }
 
  private:
@@ -137,41 +140,55 @@ class BlockEdges {
   BlockEdges(const SetUp<A>& s, std::size_t k, int x, int y) {
     const std::int32_t px = x * kSubpixels + kSubpixels / 2, py = y * kSubpixels + kSubpixels / 2;
     for (std::size_t i = 0; i < 3; ++i) {
-      dx_[i] = s.dx[i][k], dy_[i] = s.dy[i][k];
-      first_[i] =
-          dx_[i] * (py - s.ay[i][k]) - dy_[i] * (px - s.ax[i][k]) - !owns_samples(dx_[i], dy_[i]);
-      lanes_[i] = lane_rows<A>() * Ints<A>(dx_[i] * kSubpixels) -
-                  lane_columns<A>() * Ints<A>(dy_[i] * kSubpixels);
+      const std::int32_t dx = s.dx[i][k], dy = s.dy[i][k];
+      first_[i] = dx * (py - s.ay[i][k]) - dy * (px - s.ax[i][k]) - !owns_samples(dx, dy);
+      right_[i] = -dy * kSubpixels;
+      down_[i] = dx * kSubpixels;
+      lanes_[i] = lane_columns<A>() * Ints<A>(right_[i]) + lane_rows<A>() * Ints<A>(down_[i]);
     }
   }
 
-  /// Negative where a sample is outside, of the block `right` and `down` pixels from the first.
-  Ints<A> outside(int right, int down, SamplePlace place) const {
-    const std::int32_t x = right * kSubpixels + place.x * (kSubpixels / 16);
-    const std::int32_t y = down * kSubpixels + place.y * (kSubpixels / 16);
+  /// Of the block `right` and `down` pixels from the first, at its first pixel's centre.
+  std::array<Ints<A>, 3> block(int right, int down) const {
     const auto edge = [&](std::size_t i) {
-      return Ints<A>(first_[i] + dx_[i] * y - dy_[i] * x) + lanes_[i];
+      return Ints<A>(first_[i] + right_[i] * right + down_[i] * down) + lanes_[i];
     };
-    return edge(0) | edge(1) | edge(2);
+    return {edge(0), edge(1), edge(2)};
+  }
+
+  /// From a pixel's centre to each sample.
+  void sample_steps(std::span<const SamplePlace> pattern, std::int32_t (&steps)[16][3]) const {
+    for (std::size_t s = 0; s < pattern.size(); ++s) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        steps[s][i] = right_[i] / 16 * pattern[s].x + down_[i] / 16 * pattern[s].y;
+      }
+    }
   }
 
  private:
-  std::array<std::int32_t, 3> first_, dx_, dy_;
+  std::array<std::int32_t, 3> first_, right_, down_;
   std::array<Ints<A>, 3> lanes_;
 };
 
-/// All samples of a small triangle.
+/// All samples of a small triangle. Blocks and samples that it misses are not told apart: a branch
+/// that can't be foreseen takes longer.
 template <class A>
 void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
   const int x0 = d.x0 & -kBlockWidth, y0 = d.y0 & -kBlockHeight<A>;
   const BlockEdges<A> edges(s, k, x0, y0);
   const BlockDepths<A> depths(d);
+  std::int32_t steps[16][3];
+  edges.sample_steps(tile.pattern, steps);
   for (int y = y0; y <= d.y1; y += kBlockHeight<A>) {
     for (int x = x0; x <= d.x1; x += kBlockWidth) {
       std::size_t at = block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size();
-      for (const SamplePlace& place : tile.pattern) {
-        keep_nearest<A>(edges.outside(x - x0, y - y0, place) >= Ints<A>(0), depths.at(x, y, place),
-                        d.triangle, tile.depths + at, tile.seen + at);
+      const std::array<Ints<A>, 3> e = edges.block(x - x0, y - y0);
+      const double depth = depths.first(x, y);
+      for (std::size_t i = 0; i < tile.pattern.size(); ++i) {
+        const Ints<A> outside = (e[0] + Ints<A>(steps[i][0])) | (e[1] + Ints<A>(steps[i][1])) |
+                                (e[2] + Ints<A>(steps[i][2]));
+        keep_nearest<A>(outside >= Ints<A>(0), depths.at(depth, tile.pattern[i]), d.triangle,
+                        tile.depths + at, tile.seen + at);
         at += Ints<A>::size;
       }
     }
@@ -237,8 +254,9 @@ void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
       const Ints<A> columns = lane_columns<A>() + Ints<A>(x);
       const std::size_t at =
           block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size() + sample * Ints<A>::size;
-      keep_nearest<A>(columns >= from && columns <= to && from <= to, depths.at(x, y, place),
-                      d.triangle, tile.depths + at, tile.seen + at);
+      keep_nearest<A>(columns >= from && columns <= to && from <= to,
+                      depths.at(depths.first(x, y), place), d.triangle, tile.depths + at,
+                      tile.seen + at);
     }
   }
 }

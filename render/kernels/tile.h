@@ -162,15 +162,16 @@ class TilePainter {
     for (std::size_t s = 0; s < count; ++s) {
       const std::int32_t triangle = seen[s];
       if (triangle == kNothing) continue;
-      int found = 0, x = 0, y = 0;
+      float found = 0, x = 0, y = 0;
       for (std::size_t r = s; r < count; ++r) {
-        if (seen[r] != triangle) continue;
-        seen[r] = kNothing;
-        ++found, x += data_.pattern[r].x, y += data_.pattern[r].y;
+        const bool same = seen[r] == triangle;
+        found += same ? 1.0f : 0.0f;
+        x += same ? places_[r][0] : 0.0f;
+        y += same ? places_[r][1] : 0.0f;
+        seen[r] = same ? kNothing : seen[r];
       }
-      const float scale = 1.0f / float(16 * found);
-      add(waiting, triangle, place, 0.5f + float(x) * scale, 0.5f + float(y) * scale,
-          float(found) / float(count));
+      const float scale = 1 / found;
+      add(waiting, triangle, place, x * scale, y * scale, found / float(count));
     }
   }
 
@@ -267,6 +268,7 @@ class TilePainter {
   const Lighting<S>& lighting_;
   TileMemory& memory_;
   TileTarget target_;
+  float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 
 }  // namespace lumaknot

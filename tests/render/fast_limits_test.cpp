@@ -1,36 +1,9 @@
 // What must not matter to the fast renderer, and what it must survive.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "scene/error.h"
+#include "tests/render/allocations.h"
 #include "tests/render/fast_testing.h"
-
-namespace {
-std::atomic<long> allocations = 0;
-}
-
-// Counts what operator new gives, in this program of tests alone.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t align) {
-  ++allocations;
-  const auto alignment = std::size_t(align);
-  if (void* memory =
-          std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace lumaknot {
 namespace {
@@ -95,9 +68,9 @@ TEST(FastLimits, a_frame_after_the_first_allocates_nothing) {
     FastRenderer renderer(scene, options);
     Grid<Rgba8> bytes;
     renderer.draw(bytes);
-    const long before = allocations;
+    const long before = testing::allocations();
     for (int i = 0; i < 5; ++i) renderer.draw(bytes);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(testing::allocations(), before);
   }
 }
 
@@ -108,9 +81,9 @@ TEST(FastLimits, frames_with_clipped_triangles_allocate_nothing_either) {
   Grid<Rgba8> bytes;
   renderer.draw(bytes);
   renderer.draw(bytes);
-  const long before = allocations;
+  const long before = testing::allocations();
   renderer.draw(bytes);
-  EXPECT_LE(allocations - before, 0);
+  EXPECT_EQ(testing::allocations(), before);
 }
 
 TEST(FastLimits, an_eye_inside_the_tube_sees_its_inside) {
