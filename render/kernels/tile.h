@@ -55,6 +55,10 @@ class TilePainter {
                data.pattern,
                memory.depths.data(),
                memory.seen.data()};
+    for (std::size_t i = 0; i < data.pattern.size(); ++i) {
+      places_[i][0] = 0.5f + float(data.pattern[i].x) / 16;
+      places_[i][1] = 0.5f + float(data.pattern[i].y) / 16;
+    }
   }
 
   void paint(int tile) {

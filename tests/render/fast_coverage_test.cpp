@@ -54,7 +54,7 @@ void expect_identical(const Scene& scene, const FastOptions& options) {
   ASSERT_EQ(Projection(scene.view.camera, kSize, kSize).pixel_width(), 1.0 / 128);
   const Difference d = difference(render(scene), fast_image(scene, options));
   EXPECT_EQ(d.coverage, 0);
-  EXPECT_LE(d.most, 1e-5);  // floats; another triangle would differ by 0.01 or more
+  EXPECT_LE(d.most, 1e-4);  // floats; another triangle would differ by 0.01 or more
   EXPECT_GT(d.covered, 500);
 }
 
