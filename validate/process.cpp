@@ -217,4 +217,11 @@ fs::path find_program(const std::string& name) {
   return {};
 }
 
+std::filesystem::path program_beside(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path beside = self.parent_path() / name;
+  return !error && std::filesystem::exists(beside) ? beside : find_program(name);
+}
+
 }  // namespace lumaknot

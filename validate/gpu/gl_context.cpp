@@ -24,6 +24,40 @@ EGLDisplay surfaceless_display() {
       eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) fail("open the surfaceless platform");
   if (!eglInitialize(display, nullptr, nullptr)) fail("start; is Mesa's software driver installed");
+  return display;
+}
+
+std::vector<EGLDeviceEXT> devices() {
+  if (!epoxy_has_egl()) throw Unavailable("libEGL is not installed");
+  for (const char* extension : {"EGL_EXT_device_enumeration", "EGL_EXT_platform_device"}) {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, extension)) {
+      throw Unavailable(fmt::format("EGL has no {}", extension));
+    }
+  }
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(0, nullptr, &count)) fail("count the devices");
+  std::vector<EGLDeviceEXT> all(std::size_t(count), nullptr);
+  if (!eglQueryDevicesEXT(count, all.data(), &count)) fail("list the devices");
+  return all;
+}
+
+bool is_software(EGLDeviceEXT device) {
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions &&
+         std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
+EGLDisplay hardware_display() {
+  for (const EGLDeviceEXT device : devices()) {
+    if (is_software(device)) continue;
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+  }
+  throw Unavailable("EGL has no GPU with a driver; install the GPU's own");
+}
+
+EGLDisplay open_display(bool hardware) {
+  const EGLDisplay display = hardware ? hardware_display() : surfaceless_display();
   for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
     if (!epoxy_has_egl_extension(display, extension)) {
       throw Unavailable(fmt::format("EGL has no {}", extension));
@@ -59,7 +93,7 @@ void check_extensions() {
 
 }  // namespace
 
-GlContext::GlContext(Api api) : display_(surfaceless_display()) {
+GlContext::GlContext(Api api, bool hardware) : display_(open_display(hardware)) {
   context_ = make_context(display_, api);
   if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
     fail("use a context without a surface");
