@@ -189,6 +189,14 @@ std::string Process::log() const {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+void check_interrupted() {
+  sigset_t pending{};
+  ::sigpending(&pending);
+  if (::sigismember(&pending, SIGINT) == 1 || ::sigismember(&pending, SIGTERM) == 1) {
+    throw Interrupted();
+  }
+}
+
 InterruptGuard::InterruptGuard() {
   const sigset_t signals = stop_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);

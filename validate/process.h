@@ -82,6 +82,9 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
+/// Throws Interrupted when, an InterruptGuard being there, the user asked to stop.
+void check_interrupted();
+
 /// `command` from start to end.
 Ended run(const Command& command, std::chrono::duration<double> limit);
 
