@@ -48,6 +48,7 @@ void add_measuring_flags(CLI::App& command, RateOptions& options) {
       .add_option("--samples", options.samples,
                   "of coverage and depth a pixel, a row for each: 1, 2, 4, 6, 8, 16")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({1, 2, 4, 6, 8, 16}))
       ->capture_default_str();
 }

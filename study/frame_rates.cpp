@@ -1,5 +1,7 @@
 #include "study/frame_rates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -104,6 +106,9 @@ Contender peer_contender(Peer peer, const Scene& scene, std::span<const Shot> sh
                    .threads = peer == Peer::kHardwareGl ? 0 : threads,
                    .samples = first.samples,
                    .how = how_drawn(peer)};
+  if (first.samples < samples) {
+    contender.row.how += fmt::format(", {} samples at most", first.samples);
+  }
   contender.draw_round = [run, last = times_of(first)](double seconds) mutable {
     last = times_of(run->run(frames_for(seconds, last)));
     return last;
@@ -121,6 +126,16 @@ std::vector<int> thread_counts(const RateOptions& options) {
   return all == 1 ? std::vector{1} : std::vector{1, all};
 }
 
+/// A driver that has fewer samples than asked for would draw one row twice.
+void add(Contender contender, std::vector<Contender>& all) {
+  const RateRow& row = contender.row;
+  const bool known = std::ranges::any_of(all, [&](const Contender& other) {
+    return other.row.renderer == row.renderer && other.row.threads == row.threads &&
+           other.row.samples == row.samples;
+  });
+  if (!known) all.push_back(std::move(contender));
+}
+
 void add_peer(Peer peer, const Scene& scene, std::span<const Shot> shots,
               const RateOptions& options, std::vector<Contender>& contenders, RateTable& table) {
   try {
@@ -129,7 +144,7 @@ void add_peer(Peer peer, const Scene& scene, std::span<const Shot> shots,
     if (peer == Peer::kHardwareGl) counts = {0};
     for (const int threads : counts) {
       for (const int samples : options.samples) {
-        contenders.push_back(peer_contender(peer, scene, shots, threads, samples));
+        add(peer_contender(peer, scene, shots, threads, samples), contenders);
       }
     }
   } catch (const std::runtime_error& e) {
@@ -143,7 +158,7 @@ std::vector<Contender> all_contenders(const Scene& scene, const RateOptions& opt
   std::vector<Contender> contenders;
   for (const int threads : thread_counts(options)) {
     for (const int samples : options.samples) {
-      contenders.push_back(own_contender(scene, shots, threads, samples));
+      add(own_contender(scene, shots, threads, samples), contenders);
     }
   }
   if (!options.peers) return contenders;

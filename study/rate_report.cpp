@@ -64,9 +64,8 @@ std::string notes_text(const RateTable& table) {
       "and most of it.\n";
   std::vector<std::string> told;
   for (const RateRow& row : table.rows) {
-    if (std::ranges::count(told, row.renderer) > 0) continue;
-    told.push_back(row.renderer);
-    text += fmt::format("{}: {}.\n", row.renderer, row.how);
+    told.push_back(fmt::format("{}: {}.\n", row.renderer, row.how));
+    if (std::ranges::count(told, told.back()) == 1) text += told.back();
   }
   return text;
 }
@@ -89,64 +88,81 @@ Json row_json(const RateRow& row) {
   return json;
 }
 
-/// A row of the chart.
+/// A row of the chart: frames a second of classical, YIQ and Table 1; 0 where there is none.
 struct Bars {
   std::string name;
-  double classical, yiq;
+  std::array<double, kRateShots.size()> rates;
 };
+
+std::string samples_words(int samples) {
+  return samples == 1 ? "1 sample" : fmt::format("{} samples", samples);
+}
+
+std::string threads_words(int threads) {
+  if (threads == 0) return "";
+  return threads == 1 ? ", 1 thread" : fmt::format(", {} threads", threads);
+}
 
 std::vector<Bars> all_bars(const RateTable& table) {
   std::vector<Bars> all;
   for (const RateRow& row : table.rows) {
-    const std::string threads =
-        row.threads == 0 ? ""
-                         : fmt::format(", {} thread{}", row.threads, row.threads > 1 ? "s" : "");
-    all.push_back(
-        {fmt::format("{}{}, {}", fitted(row.renderer, kName), threads, samples_text(row.samples)),
-         rate_of(row.milliseconds[0]), rate_of(row.milliseconds[1])});
+    const auto& ms = row.milliseconds;
+    all.push_back({fmt::format("{}{}, {}", fitted(row.renderer, kName), threads_words(row.threads),
+                               samples_words(row.samples)),
+                   {rate_of(ms[0]), rate_of(ms[1]), rate_of(ms[2])}});
   }
   for (const PaperRow& row : paper_rows()) {
     all.push_back({fmt::format("paper: {}, {} x {}, {}", row.machine, row.side, row.side,
-                               samples_text(row.samples)),
-                   row.classical, row.yiq});
+                               samples_words(row.samples)),
+                   {row.classical, 0, row.yiq}});
   }
   return all;
 }
 
-constexpr int kLeft = 440, kChartWidth = 460, kTop = 78, kRowHeight = 34, kBarHeight = 12;
+constexpr int kLeft = 440, kWidth = 460, kTop = 78, kBar = 12, kGap = 10;
+constexpr std::array<const char*, kRateShots.size()> kFills{"#8c96a3", "#d97b29", "#3f7f93"};
 
-mustache::data bar_data(double rate, double most, int y) {
-  const double width = kChartWidth * rate / most;
-  mustache::data data;
-  data.set("y", std::to_string(y));
-  data.set("text_y", std::to_string(y + kBarHeight - 2));
-  data.set("width", fmt::format("{:.1f}", width));
-  data.set("end", fmt::format("{:.1f}", kLeft + width + 6));
-  data.set("rate", rate_text(rate));
-  return data;
+/// The bars of one row, from `y` downwards; `y` is moved below them.
+mustache::data row_data(const Bars& bars, double most, int& y) {
+  mustache::data list = mustache::data::type::list;
+  const int top = y;
+  for (std::size_t i = 0; i < bars.rates.size(); ++i) {
+    if (bars.rates[i] == 0) continue;
+    const double width = kWidth * bars.rates[i] / most;
+    mustache::data bar;
+    bar.set("y", std::to_string(y));
+    bar.set("text_y", std::to_string(y + kBar - 2));
+    bar.set("width", fmt::format("{:.1f}", width));
+    bar.set("end", fmt::format("{:.1f}", kLeft + width + 6));
+    bar.set("fill", kFills[i]);
+    bar.set("rate", rate_text(bars.rates[i]));
+    list.push_back(bar);
+    y += kBar;
+  }
+  mustache::data row;
+  row.set("name", bars.name);
+  row.set("name_y", std::to_string((top + y) / 2 + 4));
+  row.set("bars", list);
+  y += kGap;
+  return row;
 }
 
 mustache::data chart_data(const RateTable& table) {
   const std::vector<Bars> all = all_bars(table);
   double most = 0;
-  for (const Bars& bars : all) most = std::max({most, bars.classical, bars.yiq});
+  for (const Bars& bars : all) most = std::max(most, std::ranges::max(bars.rates));
   mustache::data rows = mustache::data::type::list;
   int y = kTop;
-  for (const Bars& bars : all) {
-    mustache::data row;
-    row.set("name", bars.name);
-    row.set("name_y", std::to_string(y + kBarHeight + 4));
-    row.set("classical", bar_data(bars.classical, most, y));
-    row.set("yiq", bar_data(bars.yiq, most, y + kBarHeight));
-    rows.push_back(row);
-    y += kRowHeight;
-  }
+  for (const Bars& bars : all) rows.push_back(row_data(bars, most, y));
   mustache::data data;
   data.set("rows", rows);
   data.set("left", std::to_string(kLeft));
   data.set("names_end", std::to_string(kLeft - 10));
-  data.set("bar", std::to_string(kBarHeight));
-  data.set("height", std::to_string(y + 10));
+  data.set("bar", std::to_string(kBar));
+  data.set("classical", kFills[0]);
+  data.set("yiq", kFills[1]);
+  data.set("table1", kFills[2]);
+  data.set("height", std::to_string(y + kGap));
   data.set("image", fmt::format("{} x {}", table.width, table.height));
   return data;
 }

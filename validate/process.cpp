@@ -227,9 +227,12 @@ fs::path find_program(const std::string& name) {
 
 std::filesystem::path program_beside(const std::string& name) {
   std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path beside = self.parent_path() / name;
-  return !error && std::filesystem::exists(beside) ? beside : find_program(name);
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const auto& place : {folder / name, folder.parent_path() / name}) {
+    if (!error && std::filesystem::exists(place)) return place;
+  }
+  return find_program(name);
 }
 
 }  // namespace lumaknot

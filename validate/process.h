@@ -92,8 +92,8 @@ Ended run(const Command& command, std::chrono::duration<double> limit);
 /// Empty when there is none.
 std::filesystem::path find_program(const std::string& name);
 
-/// The program `name`, which is built with this one: beside it, else in PATH. Empty when there is
-/// none.
+/// The program `name`, which is built with this one: beside it or (test programs) one folder above
+/// it, else in PATH. Empty when there is none.
 std::filesystem::path program_beside(const std::string& name);
 
 }  // namespace lumaknot

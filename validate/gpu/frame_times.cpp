@@ -33,7 +33,7 @@ void draw_frames(const Job& job) {
       if (round == job.frames) run.write_image(job.draws[i]);
     }
   }
-  Json json{{"renderer", gl_version()}, {"samples", run.samples()}};
+  Json json{{"renderer", gl_renderer()}, {"samples", run.samples()}};
   for (std::size_t i = 0; i < programs.size(); ++i) {
     json["draws"].push_back({{"name", job.draws[i].name}, {"ms", times[i]}});
   }

@@ -91,6 +91,11 @@ void check_extensions() {
   }
 }
 
+std::string text_of(GLenum name) {
+  const auto* bytes = glGetString(name);
+  return bytes ? reinterpret_cast<const char*>(bytes) : "unknown";
+}
+
 }  // namespace
 
 GlContext::GlContext(Api api, bool hardware) : display_(open_display(hardware)) {
@@ -107,12 +112,8 @@ GlContext::~GlContext() {
   eglTerminate(display_);
 }
 
-std::string gl_version() {
-  const auto text = [](GLenum name) {
-    const auto* bytes = glGetString(name);
-    return std::string(bytes ? reinterpret_cast<const char*>(bytes) : "unknown");
-  };
-  return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
-}
+std::string gl_renderer() { return text_of(GL_RENDERER); }
+
+std::string gl_version() { return fmt::format("{}, {}", gl_renderer(), text_of(GL_VERSION)); }
 
 }  // namespace lumaknot::gpu

@@ -22,6 +22,9 @@ class GlContext {
   void* context_ = nullptr;
 };
 
+/// The current context's GL_RENDERER.
+std::string gl_renderer();
+
 /// The current context's renderer and version, on one line.
 std::string gl_version();
 
