@@ -77,7 +77,8 @@ std::string missing_peer(Peer peer) {
   if (peer == Peer::kSoftwareGl) arguments = {path.string(), "--version-of", "gl"};
   if (peer == Peer::kHardwareGl) arguments = {path.string(), "--version-of", "gl-hardware"};
   const Ended ended = run({arguments, folder.path(), {}}, std::chrono::seconds(30));
-  return ended.well() ? "" : fmt::format("{}; {}", bad_end(ended), remedy);
+  const std::string line = ended.log.substr(0, ended.log.find('\n'));
+  return ended.well() ? "" : fmt::format("{}; {}", line, remedy);
 }
 
 PeerRun::PeerRun(Peer peer, const Scene& scene, std::span<const Shot> shots,

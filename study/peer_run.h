@@ -43,11 +43,11 @@ class PeerRun {
   /// Throws std::runtime_error or Error when the peer is not here or can't draw the shots.
   PeerRun(Peer peer, const Scene& scene, std::span<const Shot> shots, const PeerOptions& options);
 
-  /// Starts the program; it draws each shot once and then, in turns, `frames` of each that it
+  /// Starts the program; it draws each shot unseen and then, in turns, `frames` of each that it
   /// times. Throws std::runtime_error with the reason, or Interrupted.
   PeerTimes run(int frames) const;
 
-  /// The last frame of the shot called `name`.
+  /// A frame of the shot called `name`.
   Image image(const std::string& name) const;
 
  private:

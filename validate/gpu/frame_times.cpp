@@ -11,6 +11,8 @@
 namespace lumaknot::gpu {
 namespace {
 
+constexpr int kWarmUp = 2;  // frames of each draw that are not counted
+
 /// Milliseconds, to a tenth of a microsecond.
 double time_of_frame(const GlRun& run, unsigned program) {
   const auto start = std::chrono::steady_clock::now();
@@ -26,12 +28,15 @@ void draw_frames(const Job& job) {
   std::vector<unsigned> programs;
   for (const Draw& draw : job.draws) programs.push_back(run.prepare(draw));
   std::vector<std::vector<double>> times(job.draws.size());
-  for (int round = 0; round <= job.frames; ++round) {  // the first is not counted
+  for (int round = -kWarmUp; round < job.frames; ++round) {
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const double ms = time_of_frame(run, programs[i]);
-      if (round > 0) times[i].push_back(ms);
-      if (round == job.frames) run.write_image(job.draws[i]);
+      if (round >= 0) times[i].push_back(ms);
     }
+  }
+  for (std::size_t i = 0; i < programs.size(); ++i) {  // reading back would disturb the others
+    run.draw_frame(programs[i]);
+    run.write_image(job.draws[i]);
   }
   Json json{{"renderer", gl_renderer()}, {"samples", run.samples()}};
   for (std::size_t i = 0; i < programs.size(); ++i) {

@@ -53,7 +53,7 @@ EGLDisplay hardware_display() {
     const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
     if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
   }
-  throw Unavailable("EGL has no GPU with a driver; install the GPU's own");
+  throw Unavailable("EGL has no GPU with a driver");
 }
 
 EGLDisplay open_display(bool hardware) {

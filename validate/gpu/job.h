@@ -22,8 +22,8 @@
 ///   format     "float" or "bytes": what the image and the textures hold a channel
 ///   samples    1 to 16 of coverage and depth a pixel, or as many as the driver has
 ///   cull       "none" or "back": drops triangles that are seen clockwise
-///   frames     how many of each draw are timed, in turns, after one of each that is not; the last
-///              is written
+///   frames     how many of each draw are timed, in turns, after some that are not; one more is
+///              written
 #pragma once
 
 #include <cstddef>

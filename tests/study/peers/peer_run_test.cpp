@@ -63,7 +63,7 @@ class Peers : public ::testing::TestWithParam<Promise> {
   }
 };
 
-TEST_P(Peers, last_frame_of_each_shot_is_the_reference) {
+TEST_P(Peers, frame_of_each_shot_is_the_reference) {
   const Scene scene = figure2();
   const std::vector<Shot> shots = rate_shots(scene);
   const PeerRun run(GetParam().peer, scene, shots, {.trilinear = false});
