@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "exporters/gltf_outline.h"
+#include "exporters/gltf_json.h"
 
 namespace lumaknot {
 namespace {

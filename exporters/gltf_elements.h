@@ -14,16 +14,13 @@ struct GltfElements {
   const char* first = nullptr;
   std::size_t count = 0;
   std::size_t stride = 0;      ///< bytes from one to the next
-  int component = 0;           ///< TINYGLTF_COMPONENT_TYPE_...
+  int component = 0;           ///< a GltfComponent
   bool is_normalized = false;  ///< integers stand for [-1, 1] or [0, 1]
 };
 
-/// The elements of the accessor `index`, which must be of `type`, TINYGLTF_TYPE_.... `path` is
-/// where the file refers to it. Throws Error when they leave their view or it leaves its buffer.
-GltfElements elements_of(const GltfFile& file, int index, int type, const std::string& path);
-
-/// The bytes of one component.
-std::size_t component_size(int component);
+/// The elements of the accessor `index`, which must be of `type`. `path` is where the
+/// file refers to it. Throws Error when they leave their view or it leaves its buffer.
+GltfElements elements_of(const GltfFile& file, int index, GltfType type, const std::string& path);
 
 /// Component `c` of element `i` as a number.
 double number_at(const GltfElements& elements, std::size_t i, std::size_t c);

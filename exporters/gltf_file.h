@@ -1,8 +1,6 @@
 /// A glTF file in memory: its model and its buffers. Inside exporters only.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,10 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "exporters/gltf_model.h"
+
 namespace lumaknot {
 
-/// The model that tinygltf parsed, without buffers, and the bytes of each of those. Indices in the
-/// model are not checked yet.
+/// What the JSON says and the bytes of each buffer.
 struct GltfFile {
   GltfFile() = default;
   GltfFile(const GltfFile&) = delete;
@@ -23,7 +22,7 @@ struct GltfFile {
   std::string bytes;                       ///< of the file itself
   std::map<std::string, std::string> own;  ///< of its other buffers, by path or number
   std::vector<std::string_view> buffers;   ///< views of the two
-  tinygltf::Model model;
+  GltfModel model;
 };
 
 /// Reads the file at `path` and its buffers. Throws Error as read_gltf() does.

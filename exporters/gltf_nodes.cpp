@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ranges>
+#include <span>
+#include <string>
 
-#include "exporters/gltf_outline.h"
+#include "exporters/gltf_json.h"
 
 namespace lumaknot {
 namespace {
@@ -20,94 +21,68 @@ Placement joined(const Placement& a, const Placement& b) {
   return {a.turned(b.x), a.turned(b.y), a.turned(b.z), a.placed(b.origin)};
 }
 
-Vec3d vec(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+std::string place(std::size_t node) { return fmt::format("nodes[{}]", node); }
+
+std::span<const int> list(const GltfModel& model, const GltfRange& range) {
+  return std::span(model.node_lists).subspan(range.first, range.count);
+}
+
+Vec3d vec(const double* v) { return {v[0], v[1], v[2]}; }
 
 /// The rotation of a quaternion x, y, z, w of any length but zero.
-Placement rotation(const std::vector<double>& q, const std::string& place,
-                   const std::string& name) {
+Placement rotation(const double* q) {
   const double x = q[0], y = q[1], z = q[2], w = q[3];
   const double s = 2 / (x * x + y * y + z * z + w * w);
-  if (!std::isfinite(s)) {
-    fail_gltf(name, place + ".rotation",
-              fmt::format("must be a unit quaternion, got [{}, {}, {}, {}]", x, y, z, w));
-  }
   return {{1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)},
           {s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w)},
           {s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y)},
           {}};
 }
 
-/// Walks the tree of a scene's nodes.
-class Walk {
+/// `m` column by column.
+Placement of_matrix(const double* m) { return {vec(m), vec(m + 4), vec(m + 8), vec(m + 12)}; }
+
+/// A node within its parent.
+Placement local(const GltfModel& model, const GltfNode& node) {
+  const auto numbers = [&](int at) { return &model.numbers[std::size_t(at)]; };
+  if (node.matrix != kNoGltfIndex) return of_matrix(numbers(node.matrix));
+  Placement placement;
+  if (node.rotation != kNoGltfIndex) placement = rotation(numbers(node.rotation));
+  if (node.scale != kNoGltfIndex) {
+    const auto [x, y, z] = vec(numbers(node.scale));
+    placement = {placement.x * x, placement.y * y, placement.z * z, {}};
+  }
+  if (node.translation != kNoGltfIndex) placement.origin = vec(numbers(node.translation));
+  return placement;
+}
+
+/// Checks nodes, all before one is placed, and finds the roots of the scene.
+class NodeCheck {
  public:
-  explicit Walk(const GltfFile& file) : file_(file), nodes_(file.model.nodes) {
-    parents_.assign(nodes_.size(), kNoParent);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) adopt_children(i);
-  }
-
-  std::vector<MeshInstance> instances() {
-    struct Step {
-      std::size_t node;
-      Placement outer;
-    };
-    std::vector<Step> ahead;
-    for (const std::size_t root : std::views::reverse(roots())) ahead.push_back({root, kFromGltf});
-    std::vector<MeshInstance> found;
-    while (!ahead.empty()) {
-      const auto [index, outer] = ahead.back();
-      ahead.pop_back();
-      const tinygltf::Node& node = nodes_[index];
-      const Placement placement = joined(outer, local(index));
-      if (node.mesh >= 0) found.push_back({mesh_of(index), index, placement});
-      for (const int child : std::views::reverse(node.children)) {
-        ahead.push_back({std::size_t(child), placement});
-      }
-    }
-    return found;
-  }
-
- private:
-  static std::string place(std::size_t node) { return fmt::format("nodes[{}]", node); }
-
-  void check_node(int index, const std::string& where) const {
-    if (std::size_t(index) < nodes_.size()) return;
-    fail_gltf(file_.name, where,
-              fmt::format("is {}, but there are {} nodes; export it again", index, nodes_.size()));
-  }
-
-  /// With one parent a node at most, what hangs on a root has no cycles.
-  void adopt_children(std::size_t parent) {
-    const std::vector<int>& children = nodes_[parent].children;
-    for (std::size_t c = 0; c < children.size(); ++c) {
-      const auto where = fmt::format("{}.children[{}]", place(parent), c);
-      check_node(children[c], where);
-      int& known = parents_[std::size_t(children[c])];
-      if (known != kNoParent) {
-        fail_gltf(
-            file_.name, where,
-            fmt::format("is {}, a child of nodes[{}] already; copy that node", children[c], known));
-      }
-      known = int(parent);
+  explicit NodeCheck(const GltfFile& file)
+      : file_(file), model_(file.model), parents_(file.model.nodes.size(), kNoParent) {
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+      adopt_children(i);
+      check_mesh(i);
+      check_transform(i);
     }
   }
 
-  std::vector<std::size_t> roots() const {
-    const tinygltf::Model& model = file_.model;
-    if (model.scenes.empty()) return orphans();
-    const int scene = std::max(model.defaultScene, 0);
-    if (std::size_t(scene) >= model.scenes.size()) {
+  std::vector<int> roots() const {
+    if (model_.scenes.empty()) return orphans();
+    if (std::size_t(model_.scene) >= model_.scenes.size()) {
       fail_gltf(file_.name, "scene",
-                fmt::format("is {}, but there are {} scenes; export it again", scene,
-                            model.scenes.size()));
+                fmt::format("is {}, but there are {} scenes; export it again", model_.scene,
+                            model_.scenes.size()));
     }
-    const std::vector<int>& listed = model.scenes[std::size_t(scene)].nodes;
-    std::vector<bool> is_listed(nodes_.size());
+    const auto listed = list(model_, model_.scenes[std::size_t(model_.scene)]);
+    std::vector<bool> is_listed(parents_.size());
     for (std::size_t i = 0; i < listed.size(); ++i) {
-      const auto where = fmt::format("scenes[{}].nodes[{}]", scene, i);
+      const auto where = [&] { return fmt::format("scenes[{}].nodes[{}]", model_.scene, i); };
       check_node(listed[i], where);
-      const std::size_t node = std::size_t(listed[i]);
+      const auto node = std::size_t(listed[i]);
       if (parents_[node] != kNoParent || is_listed[node]) {
-        fail_gltf(file_.name, where,
+        fail_gltf(file_.name, where(),
                   fmt::format("is {}, which another node or the list has already; export it again",
                               node));
       }
@@ -116,53 +91,98 @@ class Walk {
     return {listed.begin(), listed.end()};
   }
 
-  std::vector<std::size_t> orphans() const {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (parents_[i] == kNoParent) found.push_back(i);
+ private:
+  template <class Where>
+  void check_node(int index, Where where) const {
+    if (std::size_t(index) < parents_.size()) return;
+    fail_gltf(
+        file_.name, where(),
+        fmt::format("is {}, but there are {} nodes; export it again", index, parents_.size()));
+  }
+
+  /// With one parent a node at most, what hangs on a root has no cycles.
+  void adopt_children(std::size_t parent) {
+    const auto children = list(model_, model_.nodes[parent].children);
+    for (std::size_t c = 0; c < children.size(); ++c) {
+      const auto where = [&] { return fmt::format("{}.children[{}]", place(parent), c); };
+      check_node(children[c], where);
+      int& known = parents_[std::size_t(children[c])];
+      if (known != kNoParent) {
+        fail_gltf(
+            file_.name, where(),
+            fmt::format("is {}, a child of nodes[{}] already; copy that node", children[c], known));
+      }
+      known = int(parent);
+    }
+  }
+
+  void check_mesh(std::size_t node) const {
+    const int mesh = model_.nodes[node].mesh;
+    if (mesh == kNoGltfIndex || std::size_t(mesh) < model_.meshes.size()) return;
+    fail_gltf(
+        file_.name, place(node) + ".mesh",
+        fmt::format("is {}, but there are {} meshes; export it again", mesh, model_.meshes.size()));
+  }
+
+  void check_transform(std::size_t node) const {
+    const auto& [mesh, matrix, translation, rotation, scale, children] = model_.nodes[node];
+    if (matrix != kNoGltfIndex) check_matrix(&model_.numbers[std::size_t(matrix)], node);
+    if (rotation != kNoGltfIndex) check_rotation(&model_.numbers[std::size_t(rotation)], node);
+  }
+
+  void check_matrix(const double* m, std::size_t node) const {
+    if (m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1) return;
+    fail_gltf(file_.name, place(node) + ".matrix",
+              fmt::format("must have a last row of 0, 0, 0, 1, got {}, {}, {}, {}", m[3], m[7],
+                          m[11], m[15]));
+  }
+
+  void check_rotation(const double* q, std::size_t node) const {
+    if (is_finite(rotation(q).x)) return;
+    fail_gltf(
+        file_.name, place(node) + ".rotation",
+        fmt::format("must be a unit quaternion, got [{}, {}, {}, {}]", q[0], q[1], q[2], q[3]));
+  }
+
+  std::vector<int> orphans() const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+      if (parents_[i] == kNoParent) found.push_back(int(i));
     }
     return found;
   }
 
-  std::size_t mesh_of(std::size_t node) const {
-    const std::size_t mesh = std::size_t(nodes_[node].mesh), known = file_.model.meshes.size();
-    if (mesh < known) return mesh;
-    fail_gltf(file_.name, place(node) + ".mesh",
-              fmt::format("is {}, but there are {} meshes; export it again", mesh, known));
-  }
-
-  /// A node within its parent.
-  Placement local(std::size_t index) const {
-    const tinygltf::Node& node = nodes_[index];
-    if (!node.matrix.empty()) return of_matrix(node.matrix, place(index));
-    Placement placement;
-    if (!node.rotation.empty()) placement = rotation(node.rotation, place(index), file_.name);
-    if (!node.scale.empty()) {
-      const auto [x, y, z] = vec(node.scale);
-      placement = {placement.x * x, placement.y * y, placement.z * z, {}};
-    }
-    if (!node.translation.empty()) placement.origin = vec(node.translation);
-    return placement;
-  }
-
-  /// `m` column by column.
-  Placement of_matrix(const std::vector<double>& m, const std::string& where) const {
-    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
-      fail_gltf(file_.name, where + ".matrix",
-                fmt::format("must have a last row of 0, 0, 0, 1, got {}, {}, {}, {}", m[3], m[7],
-                            m[11], m[15]));
-    }
-    const auto column = [&](std::size_t i) { return Vec3d{m[i], m[i + 1], m[i + 2]}; };
-    return {column(0), column(4), column(8), column(12)};
-  }
-
   const GltfFile& file_;
-  const std::vector<tinygltf::Node>& nodes_;
+  const GltfModel& model_;
   std::vector<int> parents_;
 };
 
 }  // namespace
 
-std::vector<MeshInstance> instances_of(const GltfFile& file) { return Walk(file).instances(); }
+SceneTree::SceneTree(const GltfFile& file) : file_(file), roots_(NodeCheck(file).roots()) {}
+
+void SceneTree::visit(const std::function<void(const MeshInstance&)>& visit) const {
+  struct Step {
+    int node;
+    Placement outer;
+  };
+  const GltfModel& model = file_.model;
+  std::vector<Step> ahead;
+  for (const int root : roots_) {
+    ahead.push_back({root, kFromGltf});
+    while (!ahead.empty()) {
+      const auto [index, outer] = ahead.back();
+      ahead.pop_back();
+      const GltfNode& node = model.nodes[std::size_t(index)];
+      const Placement placement = joined(outer, local(model, node));
+      if (node.mesh != kNoGltfIndex) {
+        visit({std::size_t(node.mesh), std::size_t(index), placement});
+      }
+      for (const int child : std::views::reverse(list(model, node.children))) {
+        ahead.push_back({child, placement});
+      }
+    }
+  }
+}
 
 }  // namespace lumaknot

@@ -1,7 +1,7 @@
 /// The meshes of a glTF file's scene, each where its nodes place it. Inside exporters only.
 #pragma once
 
-#include <string>
+#include <functional>
 #include <vector>
 
 #include "exporters/gltf_file.h"
@@ -33,8 +33,19 @@ struct MeshInstance {
   Placement placement;  ///< into our world, +Z up
 };
 
-/// The meshes of the default scene, or of the first, or without one of all nodes; in the order of
-/// the tree. Throws Error for a node that is not there or has two parents: cycles too.
-std::vector<MeshInstance> instances_of(const GltfFile& file);
+/// The tree of a file's default scene, or of its first, or without one of all nodes.
+class SceneTree {
+ public:
+  /// Throws Error for a node that names what is not there, that has two parents (cycles too), or
+  /// whose transform is none.
+  explicit SceneTree(const GltfFile& file);
+
+  /// Calls visit(MeshInstance) for each mesh, in the order of the tree.
+  void visit(const std::function<void(const MeshInstance&)>& visit) const;
+
+ private:
+  const GltfFile& file_;
+  std::vector<int> roots_;
+};
 
 }  // namespace lumaknot

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "exporters/gltf_elements.h"
+#include "exporters/gltf_json.h"
 #include "exporters/gltf_nodes.h"
-#include "exporters/gltf_outline.h"
 
 namespace lumaknot {
 namespace {
@@ -18,19 +18,17 @@ constexpr std::uint64_t kMostVertices = 20'000'000, kMostTriangles = 40'000'000;
 /// A primitive of triangles: where its numbers are, all within their buffers.
 struct Part {
   std::string place;  ///< meshes[0].primitives[1]
-  int mode = TINYGLTF_MODE_TRIANGLES;
+  int mode = kGltfTriangles;
   GltfElements positions = {}, normals = {}, uvs = {}, indices = {};  ///< count 0: it has none
 
   std::size_t corners() const { return indices.count > 0 ? indices.count : positions.count; }
-  std::size_t triangles() const {
-    return mode == TINYGLTF_MODE_TRIANGLES ? corners() / 3 : corners() - 2;
-  }
+  std::size_t triangles() const { return mode == kGltfTriangles ? corners() / 3 : corners() - 2; }
 };
 
 /// The places in the list of corners of triangle `t` (glTF 2.0, section 3.7.2.1).
 std::array<std::size_t, 3> corners_of(int mode, std::size_t t) {
-  if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {t, t + 1 + t % 2, t + 2 - t % 2};
-  if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {t + 1, t + 2, 0};
+  if (mode == kGltfTriangleStrip) return {t, t + 1 + t % 2, t + 2 - t % 2};
+  if (mode == kGltfTriangleFan) return {t + 1, t + 2, 0};
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
@@ -45,20 +43,20 @@ class PartFinder {
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       const auto place = fmt::format("meshes[{}].primitives[{}]", mesh_, p);
       const int mode = primitives[p].mode;
-      if (mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+      if (mode > kGltfTriangleFan) {
         fail_gltf(file_.name, place + ".mode", fmt::format("must be 0 to 6, got {}", mode));
       }
-      if (mode >= TINYGLTF_MODE_TRIANGLES) found.push_back(part(primitives[p], place));
+      if (mode >= kGltfTriangles) found.push_back(part(primitives[p], place));
     }
     return found;
   }
 
  private:
-  Part part(const tinygltf::Primitive& primitive, const std::string& place) const {
+  Part part(const GltfPrimitive& primitive, const std::string& place) const {
     Part part{.place = place, .mode = primitive.mode};
-    part.positions = attribute(primitive, place, "POSITION", TINYGLTF_TYPE_VEC3);
-    part.normals = attribute(primitive, place, "NORMAL", TINYGLTF_TYPE_VEC3);
-    part.uvs = attribute(primitive, place, "TEXCOORD_0", TINYGLTF_TYPE_VEC2);
+    part.positions = attribute(primitive.positions, place, "POSITION", GltfType::kVec3);
+    part.normals = attribute(primitive.normals, place, "NORMAL", GltfType::kVec3);
+    part.uvs = attribute(primitive.uvs, place, "TEXCOORD_0", GltfType::kVec2);
     if (part.positions.count == 0) {
       fail_gltf(file_.name, place + ".attributes.POSITION", "is missing; export it again");
     }
@@ -68,30 +66,28 @@ class PartFinder {
                 fmt::format("has {} and {} elements, which must be as many; export it again",
                             part.positions.count, other->count));
     }
-    if (primitive.indices >= 0) part.indices = indices(primitive.indices, place + ".indices");
+    if (primitive.indices != kNoGltfIndex)
+      part.indices = indices(primitive.indices, place + ".indices");
     check_corners(part);
     return part;
   }
 
-  GltfElements attribute(const tinygltf::Primitive& primitive, const std::string& place,
-                         const std::string& key, int type) const {
-    const auto found = primitive.attributes.find(key);
-    if (found == primitive.attributes.end()) return {};
-    return elements_of(file_, found->second, type, fmt::format("{}.attributes.{}", place, key));
+  GltfElements attribute(int accessor, const std::string& place, std::string_view key,
+                         GltfType type) const {
+    if (accessor == kNoGltfIndex) return {};
+    return elements_of(file_, accessor, type, fmt::format("{}.attributes.{}", place, key));
   }
 
   GltfElements indices(int accessor, const std::string& place) const {
-    const GltfElements elements = elements_of(file_, accessor, TINYGLTF_TYPE_SCALAR, place);
-    constexpr std::array kUnsigned{TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT};
+    const GltfElements elements = elements_of(file_, accessor, GltfType::kScalar, place);
+    constexpr std::array kUnsigned{kGltfUnsignedByte, kGltfUnsignedShort, kGltfUnsignedInt};
     if (std::ranges::find(kUnsigned, elements.component) != kUnsigned.end()) return elements;
     fail_gltf(file_.name, place, "must be unsigned integers; export it again");
   }
 
   void check_corners(const Part& part) const {
     const std::size_t corners = part.corners();
-    if (corners >= 3 && (part.mode != TINYGLTF_MODE_TRIANGLES || corners % 3 == 0)) return;
+    if (corners >= 3 && (part.mode != kGltfTriangles || corners % 3 == 0)) return;
     fail_gltf(
         file_.name, part.place,
         fmt::format("has {} corners, which make no whole triangles; export it again", corners));
@@ -178,21 +174,22 @@ class Gatherer {
   std::array<std::uint32_t, 3> bases_{};  ///< first position, normal, uv of the part
 };
 
+using Meshes = std::vector<std::vector<Part>>;
+
 /// Refuses what would fill the memory before any of it is made.
-void check_total(const GltfFile& file, const std::vector<MeshInstance>& instances,
-                 const std::vector<std::vector<Part>>& meshes) {
+void check_total(const GltfFile& file, const SceneTree& tree, const Meshes& meshes) {
   std::uint64_t vertices = 0, triangles = 0;
-  for (const MeshInstance& instance : instances) {
+  tree.visit([&](const MeshInstance& instance) {
     for (const Part& part : meshes[instance.mesh]) {
       vertices += part.positions.count;
       triangles += part.triangles();
     }
-    if (vertices <= kMostVertices && triangles <= kMostTriangles) continue;
+    if (vertices <= kMostVertices && triangles <= kMostTriangles) return;
     fail_gltf(file.name, fmt::format("nodes[{}]", instance.node),
               fmt::format("brings the scene to {} vertices and {} triangles, more than {} and {}; "
                           "export less of it",
                           vertices, triangles, kMostVertices, kMostTriangles));
-  }
+  });
   if (triangles == 0) fail_gltf(file.name, "the scene", "has no triangles; is there a mesh in it?");
 }
 
@@ -200,16 +197,16 @@ void check_total(const GltfFile& file, const std::vector<MeshInstance>& instance
 
 Polygons read_gltf(const std::filesystem::path& path, std::string_view name) {
   const auto file = load_gltf(path, name);
-  const std::vector<MeshInstance> instances = instances_of(*file);
-  std::vector<std::vector<Part>> meshes;
+  const SceneTree tree(*file);
+  Meshes meshes;
   for (std::size_t m = 0; m < file->model.meshes.size(); ++m) {
     meshes.push_back(PartFinder(*file, m).parts());
   }
-  check_total(*file, instances, meshes);
+  check_total(*file, tree, meshes);
   Gatherer gatherer(*file);
-  for (const MeshInstance& instance : instances) {
+  tree.visit([&](const MeshInstance& instance) {
     for (const Part& part : meshes[instance.mesh]) gatherer.add(part, instance);
-  }
+  });
   return gatherer.take();
 }
 

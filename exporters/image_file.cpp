@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "exporters/image_check.h"
 #include "exporters/image_module.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -90,6 +91,7 @@ std::span<const float> floats(const Grid<Pixel>& grid) {
 
 [[noreturn]] void refuse(std::string_view label, const std::filesystem::path& path,
                          std::string_view why) {
+  if (why.empty()) why = "it is cut short or damaged";  // OpenImageIO does not always say
   throw Error(fmt::format("{} {} can't be read as a texture: {}", label, path.string(), why));
 }
 
@@ -126,8 +128,14 @@ TextureImage texture_in(const DecodedImage& image) {
 void check_texture_file(const std::filesystem::path& path, std::string_view label) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (stream.peek() != std::ifstream::traits_type::eof()) return;
-  refuse(label, path, errno ? std::strerror(errno) : "it is empty");
+  if (stream.peek() == std::ifstream::traits_type::eof()) {
+    refuse(label, path, errno ? std::strerror(errno) : "it is empty");
+  }
+  try {
+    check_image_bytes(read_file(path, label));
+  } catch (const std::runtime_error& e) {
+    refuse(label, path, e.what());
+  }
 }
 
 TextureImage read_texture(const std::filesystem::path& path, std::string_view label) {

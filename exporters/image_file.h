@@ -15,7 +15,8 @@ namespace lumaknot {
 /// Error calling the file `label` when it can't be read or leaves [0, 1].
 TextureImage read_texture(const std::filesystem::path& path, std::string_view label);
 
-/// Throws read_texture()'s Error when nothing can be read from `path`. Loads no image library.
+/// Throws read_texture()'s Error when the file at `path` is empty, no image or, as PNG, JPEG,
+/// TIFF or OpenEXR, cut short. Loads no image library.
 void check_texture_file(const std::filesystem::path& path, std::string_view label);
 
 /// The texture as a PNG file's bytes: 8 bits where that is exact, else 16.

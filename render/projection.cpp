@@ -11,17 +11,12 @@ Projection::Projection(const Camera& camera, int width, int height)
       center_x_(0.5 * width),
       center_y_(0.5 * height) {}
 
-Vec3d Projection::to_view(const Vec3d& world) const {
-  const Vec3d d = world - eye_;
-  return {dot(d, frame_.right), dot(d, frame_.up), -dot(d, frame_.back)};
-}
-
 Vec3d Projection::ray(double x, double y) const {
   return {(x - center_x_) / focal_, (center_y_ - y) / focal_, 1};
 }
 
-Vec3d Projection::to_image(const Vec3d& view) const {
-  return {center_x_ + focal_ * view.x / view.z, center_y_ - focal_ * view.y / view.z, view.z};
+Vec3d Projection::to_world(const Vec3d& direction) const {
+  return frame_.right * direction.x + frame_.up * direction.y - frame_.back * direction.z;
 }
 
 }  // namespace lumaknot

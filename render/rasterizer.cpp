@@ -57,18 +57,6 @@ bool is_inside(const Edges& edges, const Vec3d& ray, const std::array<double, 3>
   return true;
 }
 
-/// The corners of a triangle in front of depth `near`: the triangle clipped by one plane.
-std::vector<Vec3d> clipped_near(const std::array<Vec3d, 3>& corners, double near) {
-  std::vector<Vec3d> polygon;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3d &a = corners[i], &b = corners[(i + 1) % 3];
-    if (a.z >= near) polygon.push_back(a);
-    if ((a.z >= near) != (b.z >= near))
-      polygon.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
-  }
-  return polygon;
-}
-
 /// `x` rounded down or up into [0, limit]; NaN becomes 0.
 int clamped(double x, int limit) { return x > 0 ? int(std::min(x, double(limit))) : 0; }
 
@@ -97,13 +85,16 @@ Rasterizer::Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width
 Rasterizer::Bounds Rasterizer::image_bounds(const Triangle& triangle) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
-  const std::array<Vec3d, 3> corners{view_positions_[triangle[0]], view_positions_[triangle[1]],
-                                     view_positions_[triangle[2]]};
-  for (const Vec3d& corner : clipped_near(corners, near_)) {
-    const Vec3d p = projection_.to_image(corner);
+  int in_front = 0;
+  for (const std::uint32_t v : triangle) {
+    if (!(view_positions_[v].z >= near_)) continue;
+    ++in_front;
+    const Vec3d p = projection_.to_image(view_positions_[v]);
     x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
     y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
   }
+  // Where an edge meets the near plane can't be told from corners far away.
+  if (in_front == 1 || in_front == 2) return {0, width_, 0, height_};
   // Samples lie at +0.5; half a pixel more on each side keeps rounding out of the question.
   return {clamped(std::floor(x0 - 1), width_), clamped(std::ceil(x1 + 1), width_),
           clamped(std::floor(y0 - 1), height_), clamped(std::ceil(y1 + 1), height_)};

@@ -28,6 +28,13 @@ constexpr const char* kMeasure =
 
 class Startup : public Program {
  protected:
+  /// Scenes whose texture is not there, or no image.
+  void write_bad_scenes() {
+    write("no-texture.json", R"({"texture": {"file": "missing.png"}})");
+    write("bad-texture.json", R"({"texture": {"file": "words.png"}})");
+    write("words.png", "only words");
+  }
+
   /// What the dynamic loader says about the files that the program loads.
   std::string loader_log(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
@@ -62,8 +69,8 @@ class Startup : public Program {
   }
 
   Ended run_with_texture(std::vector<std::string> program) {
-    write("scene.json", R"({"texture": {"file": "garbage.png"}})");
-    write("garbage.png", "only words");
+    write("scene.json", R"({"texture": {"file": "garbage.bmp"}})");
+    write("garbage.bmp", "BM, and then only words");  // which OpenImageIO alone finds wrong
     for (const char* argument : {"render", "scene.json", "-o", "out.png"}) {
       program.push_back(argument);
     }
@@ -78,12 +85,13 @@ std::vector<std::vector<std::string>> commands_without_images() {
           {"scene", "figure2"},
           {"render", "missing.json", "-o", "x.png"},
           {"render", "no-texture.json", "-o", "x.png"},
+          {"render", "bad-texture.json", "-o", "x.png"},
           {"render", "figure2", "-o", "missing/x.png"},
           {"export", "figure2", "-o", "missing/x.pov"}};
 }
 
 TEST_F(Startup, commands_that_meet_no_image_load_no_image_library) {
-  write("no-texture.json", R"({"texture": {"file": "missing.png"}})");
+  write_bad_scenes();
   for (const auto& arguments : commands_without_images()) {
     const std::string log = loader_log(arguments);
     EXPECT_THAT(log, HasSubstr("libstdc++")) << "the loader told nothing";
@@ -93,7 +101,7 @@ TEST_F(Startup, commands_that_meet_no_image_load_no_image_library) {
 }
 
 TEST_F(Startup, commands_that_meet_no_image_take_less_than_64_mib) {
-  write("no-texture.json", R"({"texture": {"file": "missing.png"}})");
+  write_bad_scenes();
   for (const auto& arguments : commands_without_images()) {
     EXPECT_LT(peak_memory(arguments), kMostMemory) << ::testing::PrintToString(arguments);
   }
@@ -107,7 +115,7 @@ TEST_F(Startup, a_moved_program_finds_its_module_through_a_link_and_the_path) {
   for (const auto& start : std::vector<std::vector<std::string>>{
            {program.string()}, {path("link").string()}, {"/bin/sh", by_path}}) {
     // The words of OpenImageIO's exception come through.
-    EXPECT_THAT(run_with_texture(start).log, HasSubstr("garbage.png can't be read as a texture"));
+    EXPECT_THAT(run_with_texture(start).log, HasSubstr("garbage.bmp can't be read as a texture"));
   }
 }
 

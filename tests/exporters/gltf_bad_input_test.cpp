@@ -125,8 +125,34 @@ TEST(BadGltf, every_wrong_number_is_told_by_its_json_path) {
       {R"([{"op": "add", "path": "/nodes/1", "value": {"children": [2]}},
            {"op": "add", "path": "/nodes/2", "value": {"children": [1, 0, 0]}}])",
        "nodes[2].children[2] is 0"},
+      {R"([{"op": "add", "path": "/nodes/1", "value": {"mesh": 3}}])", "nodes[1].mesh is 3"},
+      {R"([{"op": "add", "path": "/nodes/0/scale", "value": [1, 2, 3, 4]}])",
+       "nodes[0].scale must be 3 numbers"},
+      {R"([{"op": "add", "path": "/accessors/0/sparse", "value": null}])",
+       "accessors[0].sparse is not read"},
+      {R"([{"op": "replace", "path": "/accessors/2/componentType", "value": "x"}])",
+       "accessors[2].componentType must be 5120 to 5123, 5125 or 5126, got \"x\""},
+      {R"([{"op": "add", "path": "/buffers/1",
+            "value": {"byteLength": 1, "uri": "data:application/octet-stream;base64,AA*A"}}])",
+       "buffers[1].uri is not a buffer in base64"},
+      {R"([{"op": "add", "path": "/buffers/1", "value": {"byteLength": 1, "uri": "data:,AAAA"}}])",
+       "buffers[1].uri is not a buffer in base64"},
   };
   for (const auto& [patch, place] : cases) expect_refused(error_of_patch(patch), place);
+}
+
+TEST(BadGltf, one_wrong_node_of_many_is_told) {
+  constexpr std::size_t kNodes = 100'000;
+  const std::pair<Json, const char*> cases[] = {
+      {{{"mesh", 9}}, "nodes[99999].mesh is 9, but there are 1 meshes"},
+      {{{"mesh", "x"}}, "nodes[99999].mesh must be an integer"},
+      {{{"children", {kNodes}}}, "nodes[99999].children[0] is 100000, but there are 100000 nodes"}};
+  for (const auto& [node, problem] : cases) {
+    GltfParts parts = triangle_parts();
+    parts.json["nodes"] = Json(kNodes, {{"mesh", 0}});
+    parts.json["nodes"].back() = node;
+    expect_refused(error_of_bytes(testing::glb_of(parts)), problem);
+  }
 }
 
 TEST(BadGltf, a_cycle_that_no_scene_names_is_not_walked) {
@@ -181,22 +207,25 @@ TEST(BadGltf, indices_beyond_the_vertices_are_refused) {
                  "meshes[0].primitives[0].indices names vertex 3 at 1");
 }
 
-TEST(BadGltf, wrong_containers_are_told_by_the_byte) {
+TEST(BadGltf, wrong_files_are_told_by_the_byte_or_path) {
   const std::string good = testing::glb_of(triangle_parts());
   const auto with = [&](std::size_t at, std::string_view bytes) {
     return std::string(good).replace(at, bytes.size(), bytes);
   };
-  expect_refused(error_of_bytes(""), "byte 1 of the text is not JSON");
-  expect_refused(error_of_bytes("glTF"), "byte 4");
-  expect_refused(error_of_bytes("not a mesh"), "byte 2 of the text is not JSON");
-  expect_refused(error_of_bytes("[]"), "the document must be an object");
-  expect_refused(error_of_bytes(R"({"asset": {"version": 1e999}})"),
-                 "byte 27 of the text is not JSON");
-  expect_refused(error_of_bytes(with(4, std::string("\1\0\0\0", 4))), "byte 4 has version 1");
-  expect_refused(error_of_bytes(good + "more"), "byte 8 tells of");
-  expect_refused(error_of_bytes(good.substr(0, 100)), "byte 8 tells of");
-  expect_refused(error_of_bytes(with(12, "\xff\xff\xff\xff")), "byte 12 begins a chunk");
-  expect_refused(error_of_bytes(with(16, "BSON")), "byte 16 must begin with a JSON chunk");
+  const std::pair<std::string, const char*> cases[] = {
+      {"", "byte 1 of the text is not JSON"},
+      {"glTF", "byte 4"},
+      {"not a mesh", "byte 2 of the text is not JSON"},
+      {"[]", "the document must be an object"},
+      {R"({"asset": {"version": 1e999}})", "byte 27 of the text is not JSON"},
+      {with(4, std::string("\1\0\0\0", 4)), "byte 4 has version 1"},
+      {good + "more", "byte 8 tells of"},
+      {good.substr(0, 100), "byte 8 tells of"},
+      {with(12, "\xff\xff\xff\xff"), "byte 12 begins a chunk"},
+      {with(16, "BSON"), "byte 16 must begin with a JSON chunk"},
+      {R"({"asset": {"version": "2.0", "version": "2.1"}})", "asset.version is there twice"},
+      {R"({"nodes": [{}, {"mesh": 0, "mesh": 1}]})", "nodes[1].mesh is there twice"}};
+  for (const auto& [bytes, place] : cases) expect_refused(error_of_bytes(bytes), place);
 }
 
 TEST(BadGltf, buffers_outside_the_folder_are_not_read) {

@@ -2,28 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
-#include "meshgen/clearance.h"
+#include "tests/meshgen/clearance_testing.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-KnotSpec knot_of(int p, int q, double winding_radius = 0.4, double ring_radius = 1) {
-  KnotSpec knot;
-  knot.p = p;
-  knot.q = q;
-  knot.ring_radius = ring_radius;
-  knot.winding_radius = winding_radius;
-  return knot;
-}
-
-Clearance clearance_of(const KnotSpec& knot) { return clearance(components(knot)); }
+using testing::clearance_of;
+using testing::knot_of;
+using testing::kPi;
 
 // An independent search by brute force: local minima of the distance on a grid of parameters. Pairs
 // beside the diagonal have the zero on it as a neighbour, so they are no minima.

@@ -4,25 +4,17 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
+
+#include "tests/meshgen/clearance_testing.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-KnotSpec knot_of(int p, int q, double winding_radius = 0.4, double ring_radius = 1) {
-  KnotSpec knot;
-  knot.p = p;
-  knot.q = q;
-  knot.ring_radius = ring_radius;
-  knot.winding_radius = winding_radius;
-  return knot;
-}
-
-Clearance clearance_of(const KnotSpec& knot) { return clearance(components(knot)); }
+using testing::clearance_of;
+using testing::knot_of;
+using testing::kPi;
 
 CurvePoint point_a(const std::vector<Curve>& link, const Clearance& c) {
   return curve_point(link[std::size_t(c.component_a)], c.t_a);

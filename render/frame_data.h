@@ -1,0 +1,109 @@
+/// What the steps of a fast frame share, as plain arrays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+#include <xsimd/memory/xsimd_aligned_allocator.hpp>
+
+#include "render/fast_renderer.h"
+#include "render/mipmap.h"
+#include "render/projection.h"
+#include "render/sample_pattern.h"
+#include "scene/bulk.h"
+#include "scene/shot.h"
+#include "shaders/lighting.h"
+
+namespace lumaknot {
+
+/// Image points are snapped to this part of a pixel, so that edges are exact in whole numbers.
+constexpr int kSubpixels = 1024;
+/// Tiles are square; what a thread writes of one stays in its second-level cache.
+constexpr int kTile = 64;
+/// Farther from the image's corner, in pixels, no image point lies; so differences of snapped
+/// points have 30 bits, and edge functions fit into 64.
+constexpr double kGuard = 1 << 18;
+
+/// A vertex as shading reads it.
+struct VertexRecord {
+  float x, y, inverse_depth;  ///< image point in pixels, this frame's
+  float normal[3];
+  float uv[2];
+};
+
+/// A snapped image point, in 1 / kSubpixels of a pixel.
+struct SnappedPoint {
+  std::int32_t x, y;
+  float inverse_depth;
+  std::int32_t unused = 0;
+};
+/// The x of a point that isn't in front of the near plane and within the guard.
+constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
+
+/// The first and the last tile that a triangle touches, in each direction.
+struct TileBox {
+  std::uint8_t x0, y0, x1, y1;
+};
+
+/// A run of triangles. Its lists are in the mesh's order: drawing the runs one after the other
+/// gives the same picture whoever made them.
+struct Run {
+  std::uint32_t first = 0, last = 0;      ///< triangles [first, last)
+  std::vector<std::uint32_t> candidates;  ///< those that may touch a tile: the first `found`
+  std::vector<TileBox> boxes;             ///< theirs
+  std::size_t found = 0;
+  std::vector<std::uint32_t> listed;  ///< by tile: those of tile i from begins[i] to begins[i + 1]
+  std::vector<std::uint32_t> begins;
+};
+
+/// What stands in for a triangle that was clipped: triangles [first, first + count).
+struct Clipped {
+  std::uint32_t triangle, first, count;
+};
+
+/// What one thread needs for a tile.
+struct TileMemory {
+  template <class T>
+  using Aligned = std::vector<T, xsimd::aligned_allocator<T, 64>>;
+
+  Aligned<std::int32_t> depths;   ///< block by block, samples x lanes: bits of 1 / depth, 0: none
+  Aligned<std::int32_t> seen;     ///< as many: the triangle, kNothing where there is none
+  Aligned<float> colors;          ///< block by block, lanes x (r, g, b, coverage)
+  Aligned<std::uint8_t> touched;  ///< whether a block's colours are set
+};
+constexpr std::int32_t kNothing = -1, kMixed = -2;
+
+/// One frame's arrays. Vertices and triangles that clipping makes follow those of the mesh.
+struct FrameData {
+  int width = 0, height = 0;
+  int columns = 0, rows = 0;  ///< of tiles
+  FastOptions options;
+  std::span<const SamplePlace> pattern;
+  Projection projection{Camera{}, 1, 1};
+  double near = 0;
+  Shot shot;
+  Lighting<double> lighting;
+  Vec3d corner_ray, ray_x, ray_y;  ///< world: the ray through the image point (x, y), depth one, is
+                                   ///< corner_ray + x ray_x + y ray_y
+
+  std::size_t vertex_count = 0, triangle_count = 0;  ///< of the mesh
+  Bulk<double> xs, ys, zs;                           ///< world
+  Bulk<VertexRecord> records;
+  Bulk<SnappedPoint> points;
+  Bulk<std::array<std::uint32_t, 4>> triangles;  ///< the fourth is unused
+  Bulk<std::array<float, 6>> terms;              ///< with Rate::kVertex: L_D and L_S of each vertex
+  std::vector<Clipped> clipped;                  ///< in rising order of `triangle`
+  std::vector<Run> runs;
+  std::vector<TileMemory> memories;  ///< one a thread
+  Mipmap texture;
+
+  Grid<Rgba8>* bytes = nullptr;  ///< the picture that is drawn, or
+  Image* floats = nullptr;
+};
+
+/// The pieces of a triangle with a corner outside; none where it is cut away.
+const Clipped* find_clipped(const FrameData& data, std::uint32_t triangle);
+
+}  // namespace lumaknot

@@ -1,0 +1,324 @@
+/// The third step of a frame: which samples of a tile lie in which triangle, and the nearest there.
+#pragma once
+
+#include <algorithm>
+
+#include "render/kernels/packet.h"
+
+namespace lumaknot {
+
+/// Triangles of at most this many pixels a side have edge functions of 32 bits.
+constexpr int kSmall = 28;
+
+/// Several triangles ready for the samples of a tile. An edge function is
+///   e(x, y) = (b.x - a.x) (y - a.y) - (b.y - a.y) (x - a.x) >= 0
+/// inside, for each edge from a to b in the order in which the area is positive; samples on an edge
+/// belong to the triangle to whose left or top edge they are (Direct3D 11's rule), so it is less by
+/// one on the others. Whole numbers all: what two triangles share is drawn once.
+template <class A>
+struct SetUp {
+  static constexpr std::size_t kWidth = Ints<A>::size;
+  std::int32_t ax[3][kWidth], ay[3][kWidth];  ///< corners, oriented; an edge begins at each
+  std::int32_t dx[3][kWidth], dy[3][kWidth];  ///< to the next corner
+  float depth[3][kWidth];                     ///< inverse, of the corners
+  float slope_x[kWidth], slope_y[kWidth];     ///< of the inverse depth, a pixel
+  std::int32_t least[2][kWidth], most[2][kWidth];
+  std::int32_t area[kWidth];    ///< before; of small triangles twice the area, others anything
+  std::int32_t turned[kWidth];  ///< the last two corners were exchanged
+};
+
+template <class A>
+SetUp<A> set_up(const FrameData& data, const Ints<A>& triangles) {
+  SetUp<A> s;
+  const std::array<Ints<A>, 3> corners = load_corners<A>(data, triangles);
+  std::array<std::array<Ints<A>, 2>, 3> p;
+  std::array<Floats<A>, 3> depth;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SnappedPoints<A> point = load_points<A>(data, corners[i]);
+    p[i] = point.at;
+    depth[i] = point.inverse_depth;
+  }
+  for (std::size_t c = 0; c < 2; ++c) {
+    xsimd::min(xsimd::min(p[0][c], p[1][c]), p[2][c]).store_unaligned(s.least[c]);
+    xsimd::max(xsimd::max(p[0][c], p[1][c]), p[2][c]).store_unaligned(s.most[c]);
+  }
+  // Twice the area, positive where the corners run clockwise on the screen (y downwards).
+  const Ints<A> x1 = p[1][0] - p[0][0], y1 = p[1][1] - p[0][1];
+  const Ints<A> x2 = p[2][0] - p[0][0], y2 = p[2][1] - p[0][1];
+  const Ints<A> area = x1 * y2 - x2 * y1;
+  const auto turned = area < Ints<A>(0);
+  area.store_unaligned(s.area);
+  xsimd::select(turned, Ints<A>(1), Ints<A>(0)).store_unaligned(s.turned);
+  const Floats<A> scale = Floats<A>(kSubpixels) / to_floats<A>(area);
+  const Floats<A> d1 = depth[1] - depth[0], d2 = depth[2] - depth[0];
+  ((d1 * to_floats<A>(y2) - d2 * to_floats<A>(y1)) * scale).store(s.slope_x);
+  ((d2 * to_floats<A>(x1) - d1 * to_floats<A>(x2)) * scale).store(s.slope_y);
+  // Exchange the last two corners of those that run the other way.
+  for (std::size_t c = 0; c < 2; ++c) {
+    const Ints<A> second = xsimd::select(turned, p[2][c], p[1][c]);
+    p[2][c] = xsimd::select(turned, p[1][c], p[2][c]);
+    p[1][c] = second;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    p[i][0].store_unaligned(s.ax[i]);
+    p[i][1].store_unaligned(s.ay[i]);
+    (p[next][0] - p[i][0]).store_unaligned(s.dx[i]);
+    (p[next][1] - p[i][1]).store_unaligned(s.dy[i]);
+    depth[i].store(s.depth[i]);
+  }
+  return s;
+}
+
+/// A tile's place and what is drawn into.
+struct TileTarget {
+  int x0, y0, x1, y1;  ///< its pixels, [x0, x1) x [y0, y1)
+  std::span<const SamplePlace> pattern;
+  std::int32_t* depths;
+  std::int32_t* seen;
+};
+
+/// One triangle of a set-up and the box of pixels of the tile in which its samples may lie.
+struct Drawn {
+  std::uint32_t triangle;
+  int x0, y0, x1, y1;  ///< inclusive
+  float least, most;   ///< inverse depths of the corners
+  float slope_x, slope_y;
+  double depth, anchor_x, anchor_y;  ///< of the first corner, in pixels
+};
+
+/// Whether a sample on the edge belongs to the triangle: a left one, or a top one.
+inline bool owns_samples(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
+
+/// Keeps `triangle` where `mask` is and it is not behind what the samples at `depths` see. Inverse
+/// depths are not negative, so their bits compare as they do.
+/// Packets are aligned, so that what one triangle stores the next can load at once.
+template <class A>
+void keep_nearest(const xsimd::batch_bool<std::int32_t, A>& mask, const Floats<A>& depth,
+                  std::uint32_t triangle, std::int32_t* depths, std::int32_t* seen) {
+  const Ints<A> old = Ints<A>::load_aligned(depths);
+  const Ints<A> bits = xsimd::bitwise_cast<Ints<A>>(depth.v);
+  const auto passes = mask && bits >= old;
+  xsimd::select(passes, bits, old).store_aligned(depths);
+  const Ints<A> before = Ints<A>::load_aligned(seen);
+  xsimd::select(passes, Ints<A>(std::int32_t(triangle)), before).store_aligned(seen);
+}
+
+/// The inverse depths of a triangle's samples, block by block, within the corners', which rounding
+/// may leave.
+template <class A>
+class BlockDepths {
+ public:
+  explicit BlockDepths(const Drawn& d)
+      : lanes_(to_floats<A>(lane_columns<A>()) * Floats<A>(double(d.slope_x)) +
+               to_floats<A>(lane_rows<A>()) * Floats<A>(double(d.slope_y))),
+        least_(double(d.least)),
+        most_(double(d.most)),
+        slope_x_(d.slope_x),
+        slope_y_(d.slope_y),
+        first_(d.depth + slope_x_ * (0.5 - d.anchor_x) + slope_y_ * (0.5 - d.anchor_y)) {}
+
+  /// At the first pixel's centre of the block whose first pixel is (x, y).
+  double first(int x, int y) const { return first_ + slope_x_ * x + slope_y_ * y; }
+
+  /// Of the block, `first` moved to the sample.
+  Floats<A> at(double first, SamplePlace place) const {
+    const double moved = first + slope_x_ / 16 * place.x + slope_y_ / 16 * place.y;
+    return min(max(Floats<A>(moved) + lanes_, least_), most_);
+  }
+
+ private:
+  Floats<A> lanes_, least_, most_;
+  double slope_x_, slope_y_, first_;
+};
+
+/// The edge functions of a small triangle, block by block, in 32 bits.
+template <class A>
+class BlockEdges {
+ public:
+  /// (x, y): the first pixel of the first block.
+  BlockEdges(const SetUp<A>& s, std::size_t k, int x, int y) {
+    const std::int32_t px = x * kSubpixels + kSubpixels / 2, py = y * kSubpixels + kSubpixels / 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t dx = s.dx[i][k], dy = s.dy[i][k];
+      first_[i] = dx * (py - s.ay[i][k]) - dy * (px - s.ax[i][k]) - !owns_samples(dx, dy);
+      right_[i] = -dy * kSubpixels;
+      down_[i] = dx * kSubpixels;
+      lanes_[i] = lane_columns<A>() * Ints<A>(right_[i]) + lane_rows<A>() * Ints<A>(down_[i]);
+    }
+  }
+
+  /// Of the block `right` and `down` pixels from the first, at its first pixel's centre.
+  std::array<Ints<A>, 3> block(int right, int down) const {
+    const auto edge = [&](std::size_t i) {
+      return Ints<A>(first_[i] + right_[i] * right + down_[i] * down) + lanes_[i];
+    };
+    return {edge(0), edge(1), edge(2)};
+  }
+
+  /// From a pixel's centre to each sample.
+  void sample_steps(std::span<const SamplePlace> pattern, std::int32_t (&steps)[16][3]) const {
+    for (std::size_t s = 0; s < pattern.size(); ++s) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        steps[s][i] = right_[i] / 16 * pattern[s].x + down_[i] / 16 * pattern[s].y;
+      }
+    }
+  }
+
+ private:
+  std::array<std::int32_t, 3> first_, right_, down_;
+  std::array<Ints<A>, 3> lanes_;
+};
+
+/// All samples of a small triangle. Blocks and samples that it misses are not told apart: a branch
+/// that can't be foreseen takes longer.
+template <class A>
+void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
+  const int x0 = d.x0 & -kBlockWidth, y0 = d.y0 & -kBlockHeight<A>;
+  const BlockEdges<A> edges(s, k, x0, y0);
+  const BlockDepths<A> depths(d);
+  std::int32_t steps[16][3];
+  edges.sample_steps(tile.pattern, steps);
+  for (int y = y0; y <= d.y1; y += kBlockHeight<A>) {
+    for (int x = x0; x <= d.x1; x += kBlockWidth) {
+      std::size_t at = block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size();
+      const std::array<Ints<A>, 3> e = edges.block(x - x0, y - y0);
+      const double depth = depths.first(x, y);
+      for (std::size_t i = 0; i < tile.pattern.size(); ++i) {
+        const Ints<A> outside = (e[0] + Ints<A>(steps[i][0])) | (e[1] + Ints<A>(steps[i][1])) |
+                                (e[2] + Ints<A>(steps[i][2]));
+        keep_nearest<A>(outside >= Ints<A>(0), depths.at(depth, tile.pattern[i]), d.triangle,
+                        tile.depths + at, tile.seen + at);
+        at += Ints<A>::size;
+      }
+    }
+  }
+}
+
+/// x / y rounded down, y > 0.
+inline std::int64_t floor_divided(std::int64_t x, std::int64_t y) { return x / y - (x % y < 0); }
+
+/// The pixels [first, last] of a row in which edge functions of 64 bits are not negative.
+struct Span {
+  std::int64_t first, last;
+
+  /// `e` at pixel 0 and its growth a pixel.
+  void cut(std::int64_t e, std::int64_t growth) {
+    if (growth > 0) {
+      first = std::max(first, -floor_divided(e, growth));
+    } else if (growth < 0) {
+      last = std::min(last, floor_divided(e, -growth));
+    } else if (e < 0) {
+      last = first - 1;
+    }
+  }
+};
+
+/// The pixels of the row `y` whose samples number `sample` are in a large triangle, exactly.
+template <class A>
+Span row_span(const SetUp<A>& s, std::size_t k, const Drawn& d, SamplePlace place, int y) {
+  if (y < d.y0 || y > d.y1) return {1, 0};
+  const std::int64_t px = d.x0 * kSubpixels + kSubpixels / 2 + place.x * (kSubpixels / 16);
+  const std::int64_t py = y * kSubpixels + kSubpixels / 2 + place.y * (kSubpixels / 16);
+  Span span{0, d.x1 - d.x0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t dx = s.dx[i][k], dy = s.dy[i][k];
+    span.cut(dx * (py - s.ay[i][k]) - dy * (px - s.ax[i][k]) - !owns_samples(dx, dy),
+             -dy * kSubpixels);
+  }
+  return {d.x0 + span.first, d.x0 + span.last};
+}
+
+/// A large triangle's samples number `sample`.
+template <class A>
+void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile,
+                std::size_t sample) {
+  const SamplePlace place = tile.pattern[sample];
+  const BlockDepths<A> depths(d);
+  for (int y = d.y0 & -kBlockHeight<A>; y <= d.y1; y += kBlockHeight<A>) {
+    std::int32_t firsts[Ints<A>::size], lasts[Ints<A>::size];
+    int first = d.x1 + 1, last = d.x0 - 1;
+    for (int row = 0; row < kBlockHeight<A>; ++row) {
+      const Span span = row_span<A>(s, k, d, place, y + row);
+      const bool empty = span.first > span.last;
+      for (int i = row * kBlockWidth; i < (row + 1) * kBlockWidth; ++i) {
+        firsts[i] = empty ? 1 : std::int32_t(span.first);
+        lasts[i] = empty ? 0 : std::int32_t(span.last);
+      }
+      if (empty) continue;
+      first = std::min(first, int(span.first));
+      last = std::max(last, int(span.last));
+    }
+    const Ints<A> from = Ints<A>::load_unaligned(firsts), to = Ints<A>::load_unaligned(lasts);
+    for (int x = first & -kBlockWidth; x <= last; x += kBlockWidth) {
+      const Ints<A> columns = lane_columns<A>() + Ints<A>(x);
+      const std::size_t at =
+          block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size() + sample * Ints<A>::size;
+      keep_nearest<A>(columns >= from && columns <= to && from <= to,
+                      depths.at(depths.first(x, y), place), d.triangle, tile.depths + at,
+                      tile.seen + at);
+    }
+  }
+}
+
+/// What set_up() has in 32 bits, done again for a large triangle. Twice its area as it was.
+template <class A>
+std::int64_t set_up_large(SetUp<A>& s, std::size_t k) {
+  const std::int64_t x1 = s.ax[1][k] - std::int64_t(s.ax[0][k]),
+                     y1 = s.ay[1][k] - std::int64_t(s.ay[0][k]);
+  const std::int64_t x2 = s.ax[2][k] - std::int64_t(s.ax[0][k]),
+                     y2 = s.ay[2][k] - std::int64_t(s.ay[0][k]);
+  const std::int64_t area = x1 * y2 - x2 * y1;  // of the corners as they are now
+  const double scale = double(kSubpixels) / double(area);
+  const double d1 = double(s.depth[1][k]) - s.depth[0][k],
+               d2 = double(s.depth[2][k]) - s.depth[0][k];
+  s.slope_x[k] = float((d1 * double(y2) - d2 * double(y1)) * scale);
+  s.slope_y[k] = float((d2 * double(x1) - d1 * double(x2)) * scale);
+  const std::int64_t before = s.turned[k] ? -area : area;
+  if (area >= 0) return before;
+  std::swap(s.ax[1][k], s.ax[2][k]);
+  std::swap(s.ay[1][k], s.ay[2][k]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.dx[i][k] = s.ax[(i + 1) % 3][k] - s.ax[i][k];
+    s.dy[i][k] = s.ay[(i + 1) % 3][k] - s.ay[i][k];
+  }
+  return before;
+}
+
+/// The part of a triangle's box that lies in the tile; empty where x0 > x1 or y0 > y1.
+template <class A>
+Drawn drawn_part(const SetUp<A>& s, std::size_t k, std::uint32_t triangle, const TileTarget& tile) {
+  const bool centres = tile.pattern.size() == 1;
+  Drawn d{};
+  d.triangle = triangle;
+  d.x0 = std::max(tile.x0, first_pixel<A>(s.least[0][k], centres));
+  d.y0 = std::max(tile.y0, first_pixel<A>(s.least[1][k], centres));
+  d.x1 = std::min(tile.x1 - 1, last_pixel<A>(s.most[0][k], centres));
+  d.y1 = std::min(tile.y1 - 1, last_pixel<A>(s.most[1][k], centres));
+  d.least = std::min({s.depth[0][k], s.depth[1][k], s.depth[2][k]});
+  d.most = std::max({s.depth[0][k], s.depth[1][k], s.depth[2][k]});
+  d.slope_x = s.slope_x[k];
+  d.slope_y = s.slope_y[k];
+  d.depth = s.depth[0][k];
+  d.anchor_x = double(s.ax[0][k]) / kSubpixels;
+  d.anchor_y = double(s.ay[0][k]) / kSubpixels;
+  return d;
+}
+
+/// Draws one triangle of a set-up.
+template <class A>
+void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull,
+                   const TileTarget& tile) {
+  const bool small = s.most[0][k] - s.least[0][k] <= kSmall * kSubpixels &&
+                     s.most[1][k] - s.least[1][k] <= kSmall * kSubpixels;
+  const std::int64_t area = small ? s.area[k] : set_up_large<A>(s, k);
+  if (area == 0 || (cull && area > 0)) return;
+  const Drawn d = drawn_part<A>(s, k, triangle, tile);
+  if (d.x0 > d.x1 || d.y0 > d.y1) return;
+  if (small) return draw_small<A>(s, k, d, tile);
+  for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
+    draw_large<A>(s, k, d, tile, sample);
+  }
+}
+
+}  // namespace lumaknot
