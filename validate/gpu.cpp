@@ -25,11 +25,7 @@ constexpr Interface kHlsl{"HLSL", "vulkan", Language::kHlsl};
 
 /// lumaknot-gpu, which is built beside this program.
 fs::path gpu_program(const Programs& programs) {
-  if (!programs.gpu.empty()) return find_program(programs.gpu);
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = self.parent_path() / "lumaknot-gpu";
-  return !error && fs::exists(beside) ? beside : find_program("lumaknot-gpu");
+  return programs.gpu.empty() ? program_beside("lumaknot-gpu") : find_program(programs.gpu);
 }
 
 /// The shots as jobs: a job has one texture on the axes of a space, so each space baked into has

@@ -13,6 +13,7 @@
 #include "exporters/baked_texture.h"
 #include "scene/atomic_file.h"
 #include "shaders/emit.h"
+#include "validate/job_files.h"
 #include "validate/spirv.h"
 
 namespace lumaknot {
@@ -24,51 +25,18 @@ using Matrix = std::array<double, 16>;  // column-major
 
 constexpr std::string_view kPlace = "lumaknot-gpu's folder";
 
-std::string float_bytes(std::span<const float> values) {
-  std::string bytes(values.size_bytes(), '\0');
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return bytes;
-}
-
-void write_mesh(const fs::path& folder, const TriangleMesh& mesh, Json& job) {
-  std::vector<float> vertices;
-  vertices.reserve(mesh.positions.size() * 8);
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3d &p = mesh.positions[i], &n = mesh.normals[i];
-    for (const double v : {p.x, p.y, p.z, n.x, n.y, n.z, mesh.uvs[i].u, mesh.uvs[i].v}) {
-      vertices.push_back(float(v));
-    }
-  }
-  std::string indices(mesh.triangles.size() * sizeof(Triangle), '\0');
-  std::memcpy(indices.data(), mesh.triangles.data(), indices.size());
-  write_file(folder / "mesh.bin", float_bytes(vertices), kPlace);
-  write_file(folder / "indices.bin", indices, kPlace);
-  job["mesh"] = {{"vertices", "mesh.bin"},
-                 {"count", mesh.positions.size()},
-                 {"indices", "indices.bin"},
-                 {"triangles", mesh.triangles.size()}};
-}
-
 /// Where Vulkan's shaders find a texture; HLSL's, as compile_spirv() shifts them, also its sampler.
 struct Binding {
   int texture, sampler;
 };
 constexpr Binding kColor{1, 3}, kAxes{2, 4};
 
-/// RGBA, the bottom row first.
 Json write_texture(const fs::path& folder, const std::string& name, const TextureImage& texture,
                    const Binding& binding, bool has_samplers) {
-  std::vector<float> values;
-  values.reserve(texture.pixels.size() * 4);
-  for (int y = texture.height - 1; y >= 0; --y) {
-    for (int x = 0; x < texture.width; ++x) {
-      const Rgb& p = texture.at(x, y);
-      for (const float v : {p.r, p.g, p.b, 1.0f}) values.push_back(v);
-    }
-  }
-  write_file(folder / (name + ".bin"), float_bytes(values), kPlace);
-  Json json{{"name", name},           {"binding", binding.texture}, {"file", name + ".bin"},
-            {"width", texture.width}, {"height", texture.height},   {"filter", "linear"}};
+  Json json = write_job_texture(folder, name, texture);
+  json["name"] = name;
+  json["binding"] = binding.texture;
+  json["filter"] = "linear";
   if (has_samplers) json["sampler_binding"] = binding.sampler;
   return json;
 }
@@ -184,15 +152,26 @@ Json write_draw(const fs::path& folder, const ShaderJob& job, Language language,
   return draw;
 }
 
+/// What a timed job says beyond a drawn one.
+void add_timing(const GpuTiming& timing, Json& json) {
+  json["driver"] = timing.hardware ? "hardware" : "software";
+  json["frames"] = timing.frames;
+  json["samples"] = timing.samples;
+  json["cull"] = timing.cull_back_faces ? "back" : "none";
+  json["format"] = "bytes";
+  if (!timing.trilinear) return;
+  for (Json& texture : json["textures"]) texture["filter"] = "trilinear";
+}
+
 }  // namespace
 
 void write_gpu_job(const fs::path& folder, const Scene& scene, std::span<const Shot> shots,
-                   Language language, const Programs& programs) {
+                   Language language, const Programs& programs, const GpuTiming* timing) {
   const Matrix projection = world_view_projection(scene, api_of(language) == "vulkan");
   Json json{{"api", api_of(language)},
             {"width", scene.view.image.width},
             {"height", scene.view.image.height}};
-  write_mesh(folder, scene.mesh, json);
+  json["mesh"] = write_job_mesh(folder, scene.mesh);
   json["textures"] = write_textures(folder, scene.texture, shots, language == Language::kHlsl);
   for (const Shot& shot : shots) {
     ShaderJob job;
@@ -202,6 +181,7 @@ void write_gpu_job(const fs::path& folder, const Scene& scene, std::span<const S
     if (const auto* color = std::get_if<Vec3d>(&scene.texture)) job.color = *color;
     json["draws"].push_back(write_draw(folder, job, language, projection, programs));
   }
+  if (timing) add_timing(*timing, json);
   write_file(folder / "job.json", json.dump(1), kPlace);
 }
 

@@ -189,6 +189,14 @@ std::string Process::log() const {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+void check_interrupted() {
+  sigset_t pending{};
+  ::sigpending(&pending);
+  if (::sigismember(&pending, SIGINT) == 1 || ::sigismember(&pending, SIGTERM) == 1) {
+    throw Interrupted();
+  }
+}
+
 InterruptGuard::InterruptGuard() {
   const sigset_t signals = stop_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
@@ -215,6 +223,16 @@ fs::path find_program(const std::string& name) {
     if (candidate.is_absolute() && runs(candidate)) return candidate;
   }
   return {};
+}
+
+std::filesystem::path program_beside(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const auto& place : {folder / name, folder.parent_path() / name}) {
+    if (!error && std::filesystem::exists(place)) return place;
+  }
+  return find_program(name);
 }
 
 }  // namespace lumaknot

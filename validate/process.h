@@ -82,11 +82,18 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
+/// Throws Interrupted when, an InterruptGuard being there, the user asked to stop.
+void check_interrupted();
+
 /// `command` from start to end.
 Ended run(const Command& command, std::chrono::duration<double> limit);
 
 /// The program `name` as an absolute path: itself when it holds a slash, else looked up in PATH.
 /// Empty when there is none.
 std::filesystem::path find_program(const std::string& name);
+
+/// The program `name`, which is built with this one: beside it or (test programs) one folder above
+/// it, else in PATH. Empty when there is none.
+std::filesystem::path program_beside(const std::string& name);
 
 }  // namespace lumaknot

@@ -15,8 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 TEST_F(Program, every_command_has_help_with_an_example) {
-  for (const std::string command :
-       {"scene", "mesh", "render", "export", "shader", "validate", "doctor", "completion"}) {
+  for (const std::string command : {"scene", "mesh", "render", "export", "shader", "validate",
+                                    "bench", "doctor", "completion"}) {
     const Ended ended = lumaknot({command, "--help"});
     EXPECT_EQ(ended.exit_code, 0);
     EXPECT_THAT(ended.log, AllOf(HasSubstr("Example"), HasSubstr("lumaknot " + command)));

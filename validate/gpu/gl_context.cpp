@@ -24,6 +24,40 @@ EGLDisplay surfaceless_display() {
       eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) fail("open the surfaceless platform");
   if (!eglInitialize(display, nullptr, nullptr)) fail("start; is Mesa's software driver installed");
+  return display;
+}
+
+std::vector<EGLDeviceEXT> devices() {
+  if (!epoxy_has_egl()) throw Unavailable("libEGL is not installed");
+  for (const char* extension : {"EGL_EXT_device_enumeration", "EGL_EXT_platform_device"}) {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, extension)) {
+      throw Unavailable(fmt::format("EGL has no {}", extension));
+    }
+  }
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(0, nullptr, &count)) fail("count the devices");
+  std::vector<EGLDeviceEXT> all(std::size_t(count), nullptr);
+  if (!eglQueryDevicesEXT(count, all.data(), &count)) fail("list the devices");
+  return all;
+}
+
+bool is_software(EGLDeviceEXT device) {
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions &&
+         std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
+EGLDisplay hardware_display() {
+  for (const EGLDeviceEXT device : devices()) {
+    if (is_software(device)) continue;
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+  }
+  throw Unavailable("EGL has no GPU with a driver");
+}
+
+EGLDisplay open_display(bool hardware) {
+  const EGLDisplay display = hardware ? hardware_display() : surfaceless_display();
   for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
     if (!epoxy_has_egl_extension(display, extension)) {
       throw Unavailable(fmt::format("EGL has no {}", extension));
@@ -57,9 +91,14 @@ void check_extensions() {
   }
 }
 
+std::string text_of(GLenum name) {
+  const auto* bytes = glGetString(name);
+  return bytes ? reinterpret_cast<const char*>(bytes) : "unknown";
+}
+
 }  // namespace
 
-GlContext::GlContext(Api api) : display_(surfaceless_display()) {
+GlContext::GlContext(Api api, bool hardware) : display_(open_display(hardware)) {
   context_ = make_context(display_, api);
   if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
     fail("use a context without a surface");
@@ -73,12 +112,8 @@ GlContext::~GlContext() {
   eglTerminate(display_);
 }
 
-std::string gl_version() {
-  const auto text = [](GLenum name) {
-    const auto* bytes = glGetString(name);
-    return std::string(bytes ? reinterpret_cast<const char*>(bytes) : "unknown");
-  };
-  return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
-}
+std::string gl_renderer() { return text_of(GL_RENDERER); }
+
+std::string gl_version() { return fmt::format("{}, {}", gl_renderer(), text_of(GL_VERSION)); }
 
 }  // namespace lumaknot::gpu

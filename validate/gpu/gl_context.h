@@ -7,12 +7,12 @@
 
 namespace lumaknot::gpu {
 
-/// GL 3.3 core or GLES 3.0 on EGL's surfaceless platform, current while it lives. All GL objects
-/// end with it.
+/// GL 3.3 core or GLES 3.0 without a surface, current while it lives: on EGL's surfaceless
+/// platform, or on the first of EGL's devices that is hardware. All GL objects end with it.
 class GlContext {
  public:
   /// Throws Unavailable.
-  explicit GlContext(Api api);
+  GlContext(Api api, bool hardware);
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
@@ -21,6 +21,9 @@ class GlContext {
   void* display_ = nullptr;
   void* context_ = nullptr;
 };
+
+/// The current context's GL_RENDERER.
+std::string gl_renderer();
 
 /// The current context's renderer and version, on one line.
 std::string gl_version();

@@ -4,49 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "scene/atomic_file.h"
 #include "validate/gpu/gl_program.h"
 #include "validate/gpu/unavailable.h"
 
 namespace lumaknot::gpu {
 namespace {
-
-void check_error(std::string_view what) {
-  const GLenum error = glGetError();
-  if (error != GL_NO_ERROR) throw Unavailable(fmt::format("{}: GL error 0x{:x}", what, error));
-}
-
-/// Sides beyond what the driver can do.
-void check_side(int side, GLenum limit, std::string_view what) {
-  GLint most = 0;
-  glGetIntegerv(limit, &most);
-  if (side <= most) return;
-  throw Unavailable(fmt::format("{} has a side of {}, the driver's limit is {}", what, side, most));
-}
-
-GLuint make_renderbuffer(const Job& job, GLenum format) {
-  GLuint buffer = 0;
-  glGenRenderbuffers(1, &buffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, format, job.width, job.height);
-  return buffer;
-}
-
-/// Four floats a pixel and a float depth.
-void make_target(const Job& job) {
-  check_side(std::max(job.width, job.height), GL_MAX_RENDERBUFFER_SIZE, "the image");
-  GLuint target = 0;
-  glGenFramebuffers(1, &target);
-  glBindFramebuffer(GL_FRAMEBUFFER, target);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                            make_renderbuffer(job, GL_RGBA32F));
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                            make_renderbuffer(job, GL_DEPTH_COMPONENT32F));
-  check_error("the float target");
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Unavailable("the driver can't draw into four floats a pixel");
-  }
-}
 
 template <class T>
 void upload(GLenum target, const std::vector<T>& values) {
@@ -74,67 +39,96 @@ void upload_mesh(const Job& job) {
   attribute(2, 2, 6);
 }
 
-void upload_texture(const Texture& texture, std::size_t unit) {
-  check_side(std::max(texture.width, texture.height), GL_MAX_TEXTURE_SIZE,
-             fmt::format("textures[{}]", unit));
-  GLuint object = 0;
-  glGenTextures(1, &object);
-  glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-  glBindTexture(GL_TEXTURE_2D, object);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, texture.width, texture.height, 0, GL_RGBA, GL_FLOAT,
-               texture.texels.data());
-  const GLint filter = texture.linear ? GL_LINEAR : GL_NEAREST;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-/// Table 1's state: depth test "less or equal", depth written, no blending, no culling.
+/// Table 1's state: depth test "less or equal", depth written, no blending; no culling unless asked
+/// for.
 void set_state(const Job& job) {
   glViewport(0, 0, job.width, job.height);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_DITHER);
   glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  if (job.cull_back_faces) {
+    glEnable(GL_CULL_FACE);
+  } else {
+    glDisable(GL_CULL_FACE);
+  }
   glClearColor(0, 0, 0, 0);
 }
 
-/// The target's pixels, the top row first. GL's first row is the bottom one.
-std::vector<float> read_pixels(const Job& job) {
-  std::vector<float> pixels(image_floats(job));
-  glReadPixels(0, 0, job.width, job.height, GL_RGBA, GL_FLOAT, pixels.data());
-  const auto row = std::ptrdiff_t(job.width) * 4;
-  for (int y = 0; y < job.height / 2; ++y) {
-    const auto low = pixels.begin() + y * row, high = pixels.begin() + (job.height - 1 - y) * row;
-    std::swap_ranges(low, low + row, high);
+GLint min_filter(Filter filter) {
+  if (filter == Filter::kTrilinear) return GL_LINEAR_MIPMAP_LINEAR;
+  return filter == Filter::kLinear ? GL_LINEAR : GL_NEAREST;
+}
+
+std::vector<unsigned char> texel_bytes(const Texture& texture) {
+  std::vector<unsigned char> bytes(texture.texels.size());
+  std::ranges::transform(texture.texels, bytes.begin(), [](float v) {
+    return static_cast<unsigned char>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
+  });
+  return bytes;
+}
+
+void upload_texture(const Texture& texture, std::size_t unit, bool bytes) {
+  check_side(std::max(texture.width, texture.height), GL_MAX_TEXTURE_SIZE,
+             fmt::format("textures[{}]", unit));
+  GLuint object = 0;
+  glGenTextures(1, &object);
+  glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+  glBindTexture(GL_TEXTURE_2D, object);
+  if (bytes) {
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width, texture.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texel_bytes(texture).data());
+  } else {
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, texture.width, texture.height, 0, GL_RGBA, GL_FLOAT,
+                 texture.texels.data());
   }
-  return pixels;
+  const bool nearest = texture.filter == Filter::kNearest;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min_filter(texture.filter));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  if (texture.filter == Filter::kTrilinear) {
+    glGenerateMipmap(GL_TEXTURE_2D);
+  } else {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  }
 }
 
 }  // namespace
 
-GlRun::GlRun(const Job& job) : context_(job.api), job_(job) {
-  make_target(job);
+GlRun::GlRun(const Job& job) : context_(job.api, job.hardware), job_(job), target_(job) {
   upload_mesh(job);
-  for (std::size_t i = 0; i < job.textures.size(); ++i) upload_texture(job.textures[i], i);
+  for (std::size_t i = 0; i < job.textures.size(); ++i) {
+    upload_texture(job.textures[i], i, job.bytes);
+  }
   set_state(job);
-  check_error("mesh and textures");
+  check_gl("mesh and textures");
 }
 
-std::vector<float> GlRun::draw(const Draw& draw) const {
-  use_program(make_program(draw), job_, draw);
+unsigned GlRun::prepare(const Draw& draw) const {
+  const GLuint program = make_program(draw);
+  use_program(program, job_, draw);
+  return program;
+}
+
+void GlRun::draw_frame(unsigned program) const {
+  glUseProgram(program);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (job_.mesh) {
     glDrawElements(GL_TRIANGLES, GLsizei(job_.mesh->indices.size()), GL_UNSIGNED_INT, nullptr);
   } else {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
-  std::vector<float> pixels = read_pixels(job_);
-  check_error(draw.where);
-  return pixels;
+  target_.resolve();
+  glFinish();
+}
+
+void GlRun::write_image(const Draw& draw) const {
+  const std::vector<float> pixels = target_.pixels();
+  check_gl(draw.where);
+  write_file(draw.output,
+             {reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float)},
+             draw.where + ".output");
 }
 
 }  // namespace lumaknot::gpu

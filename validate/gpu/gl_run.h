@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "validate/gpu/gl_context.h"
+#include "validate/gpu/gl_target.h"
 
 namespace lumaknot::gpu {
 
@@ -13,12 +14,21 @@ class GlRun {
   /// `job` must outlive it. Throws Unavailable.
   explicit GlRun(const Job& job);
 
-  /// The picture as RGBA floats, top row first. Throws Unavailable, or Error for a wrong uniform.
-  std::vector<float> draw(const Draw& draw) const;
+  /// The draw's shaders, ready to be drawn with. Throws Unavailable, or Error for a wrong uniform.
+  unsigned prepare(const Draw& draw) const;
+
+  /// Draws with what prepare() returned and waits for the driver's end.
+  void draw_frame(unsigned program) const;
+
+  /// Writes what was drawn last to the draw's output.
+  void write_image(const Draw& draw) const;
+
+  int samples() const { return target_.samples(); }
 
  private:
   GlContext context_;
   const Job& job_;
+  GlTarget target_;
 };
 
 }  // namespace lumaknot::gpu

@@ -16,11 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxSide = 65'536;          // pixels or texels, as in scene.json
+constexpr int kMaxSide = 65'536;  // pixels or texels, as in scene.json
+constexpr int kMaxSamples = 16, kMaxFrames = 1'000'000;
 constexpr int kMaxBinding = 31;           // descriptor set 0 stays small
 constexpr std::size_t kMaxTextures = 16;  // units that every GL 3.3 and ES 3.0 driver has
-constexpr int kMaxVertices = 1 << 30;
-constexpr int kMaxTriangles = 1 << 29;  // three indices each still count as int
 constexpr std::uint64_t kMaxShaderBytes = 1 << 24;
 constexpr std::uint64_t kMaxBlockBytes = 16'384;  // maxUniformBufferRange of any Vulkan driver
 
@@ -38,19 +37,12 @@ struct Context {
   bool vulkan() const { return api == Api::kVulkan; }
 };
 
-Mesh read_mesh(Fields fields, const Context& context) {
-  const auto count = std::uint64_t(fields.integer("count", 1, kMaxVertices));
-  const auto triangles = std::uint64_t(fields.integer("triangles", 1, kMaxTriangles));
-  Mesh mesh;
-  mesh.vertices = read_array<float>(context.folder / fields.text("vertices"),
-                                    fields.path("vertices"), count * kFloatsPerVertex);
-  mesh.indices = read_array<std::uint32_t>(context.folder / fields.text("indices"),
-                                           fields.path("indices"), triangles * 3);
-  fields.finish();
-  const auto wrong = std::ranges::find_if(mesh.indices, [&](auto i) { return i >= count; });
-  if (wrong == mesh.indices.end()) return mesh;
-  throw Error(fmt::format("{} must be below the mesh's {} vertices, the one at {} is {}",
-                          fields.path("indices"), count, wrong - mesh.indices.begin(), *wrong));
+Filter read_filter(Fields& fields, const Context& context) {
+  const std::string name = fields.text("filter");
+  if (name == "linear") return Filter::kLinear;
+  if (name == "nearest") return Filter::kNearest;
+  if (name == "trilinear" && !context.vulkan()) return Filter::kTrilinear;
+  fields.fail("filter", context.vulkan() ? "linear or nearest" : "linear, nearest or trilinear");
 }
 
 Texture read_texture(Fields fields, const Context& context) {
@@ -62,9 +54,7 @@ Texture read_texture(Fields fields, const Context& context) {
   texture.sampler = fields.integer_or("sampler_binding", 0, kMaxBinding, -1);
   texture.width = fields.integer("width", 1, kMaxSide);
   texture.height = fields.integer("height", 1, kMaxSide);
-  const std::string filter = fields.text("filter");
-  if (filter != "linear" && filter != "nearest") fields.fail("filter", "linear or nearest");
-  texture.linear = filter == "linear";
+  texture.filter = read_filter(fields, context);
   texture.texels =
       read_array<float>(context.folder / fields.text("file"), fields.path("file"),
                         std::uint64_t(texture.width) * std::uint64_t(texture.height) * 4);
@@ -95,7 +85,8 @@ Shader read_shader(Fields& fields, const std::string& stage, const Context& cont
 Draw read_draw(Fields fields, const Context& context) {
   Draw draw;
   draw.where = fields.where();
-  if (fields.has("name")) draw.where = fmt::format("{} {}", draw.where, fields.text("name"));
+  draw.name = fields.has("name") ? fields.text("name") : "";
+  if (!draw.name.empty()) draw.where = fmt::format("{} {}", draw.where, draw.name);
   draw.vertex = read_shader(fields, "vertex", context);
   draw.fragment = read_shader(fields, "fragment", context);
   draw.output = context.folder / fields.text("output");
@@ -141,13 +132,31 @@ void check_outputs(const Job& job) {
   }
 }
 
+/// Whether the optional member `key` is `chosen` and not `usual`.
+bool is_chosen(Fields& fields, const std::string& key, const std::string& usual,
+               const std::string& chosen) {
+  const std::string value = fields.text_or(key, usual);
+  if (value != usual && value != chosen) fields.fail(key, fmt::format("{} or {}", usual, chosen));
+  return value == chosen;
+}
+
+/// What GL and GLES can do besides.
+void read_gl_members(Fields& fields, Job& job) {
+  job.hardware = is_chosen(fields, "driver", "software", "hardware");
+  job.bytes = is_chosen(fields, "format", "float", "bytes");
+  job.cull_back_faces = is_chosen(fields, "cull", "none", "back");
+  job.samples = fields.integer_or("samples", 1, kMaxSamples, 1);
+  job.frames = fields.integer_or("frames", 1, kMaxFrames, 0);
+}
+
 Job job_from(Fields fields, const fs::path& folder) {
   Job job;
   job.api = api_named(fields.text("api"), "api");
   const Context context{job.api, folder};
   job.width = fields.integer("width", 1, kMaxSide);
   job.height = fields.integer("height", 1, kMaxSide);
-  if (fields.has("mesh")) job.mesh = read_mesh(fields.object("mesh"), context);
+  if (!context.vulkan()) read_gl_members(fields, job);
+  if (fields.has("mesh")) job.mesh = read_mesh(fields.object("mesh"), folder);
   const std::vector<Fields> textures = fields.objects("textures", true);
   if (textures.size() > kMaxTextures) {
     throw Error(fmt::format("textures must be {} at most, got {}", kMaxTextures, textures.size()));

@@ -8,7 +8,8 @@
 ///              mesh three vertices are drawn that the vertex shader places by their number.
 ///   textures   optional list: name (a sampler's; GL, GLES), binding (Vulkan, descriptor set 0),
 ///              sampler_binding (Vulkan, optional: a sampler of its own), file (width x height x 4
-///              floats, the row at v = 0 first), width, height, filter "linear" or "nearest".
+///              floats, the row at v = 0 first), width, height, filter "linear", "nearest" or
+///              (GL, GLES) "trilinear".
 ///              A shader may also declare texture and sampler apart at the one binding.
 ///   draws      list: name (optional), vertex, fragment (GLSL, or SPIR-V for Vulkan), vertex_entry,
 ///              fragment_entry (optional, "main"), output (file to write: width x height x 4
@@ -16,6 +17,13 @@
 ///              - GL, GLES: uniforms, a list of name and values: 1 to 4 numbers make a float or
 ///                vector, 9 and 16 a matrix, column by column;
 ///              - Vulkan: uniform_block (file in std140 layout), uniform_binding (optional, 0).
+/// GL and GLES alone, all optional:
+///   driver     "software" (as the caller's environment leaves it) or "hardware": a GPU's
+///   format     "float" or "bytes": what the image and the textures hold a channel
+///   samples    1 to 16 of coverage and depth a pixel, or as many as the driver has
+///   cull       "none" or "back": drops triangles that are seen clockwise
+///   frames     how many of each draw are timed, in turns, after some that are not; one more is
+///              written
 #pragma once
 
 #include <cstddef>
@@ -25,25 +33,21 @@
 #include <string>
 #include <vector>
 
+#include "validate/gpu/mesh_file.h"
+
 namespace lumaknot::gpu {
 
 enum class Api { kGl, kGles, kVulkan };
 
-/// Triangles with shared vertices.
-struct Mesh {
-  std::vector<float> vertices;         ///< 8 a vertex: position xyz, normal xyz, texture uv
-  std::vector<std::uint32_t> indices;  ///< 3 a triangle, each below the number of vertices
-};
+enum class Filter { kNearest, kLinear, kTrilinear };
 
-inline constexpr int kFloatsPerVertex = 8;
-
-/// A texture of four floats a texel, repeated in both directions, without mipmaps.
+/// A texture of four floats a texel, repeated in both directions.
 struct Texture {
   std::string name;  ///< its sampler uniform; GL and GLES
   int binding = 0;   ///< in descriptor set 0; Vulkan
   int sampler = -1;  ///< binding of a sampler of its own, or -1: the two are combined; Vulkan
   int width = 0, height = 0;
-  bool linear = false;        ///< bilinear filter, else the nearest texel
+  Filter filter = Filter::kNearest;
   std::vector<float> texels;  ///< RGBA, row 0 at v = 0
 };
 
@@ -63,6 +67,7 @@ struct Shader {
 /// One picture of the mesh, or of one triangle that the vertex shader places by its vertex number.
 struct Draw {
   std::string where;  ///< how an error names it: "draws[0]"
+  std::string name;   ///< empty where it has none
   Shader vertex, fragment;
   std::vector<Uniform> uniforms;             ///< GL and GLES
   std::optional<std::string> uniform_block;  ///< bytes in std140 layout; Vulkan
@@ -73,6 +78,11 @@ struct Draw {
 struct Job {
   Api api = Api::kGl;
   int width = 0, height = 0;  ///< pixels
+  bool hardware = false;      ///< on a GPU's driver
+  bool bytes = false;         ///< a channel of the image and the textures, else floats
+  int samples = 1;
+  bool cull_back_faces = false;
+  int frames = 0;  ///< timed, of each draw; 0: each is drawn once
   std::optional<Mesh> mesh;
   std::vector<Texture> textures;
   std::vector<Draw> draws;

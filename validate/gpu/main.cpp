@@ -1,5 +1,7 @@
-// lumaknot-gpu JOB.json                         draws what the job file says
+// lumaknot-gpu JOB.json                         draws what the job file says; timed frames are told
+//                                               as JSON
 // lumaknot-gpu --version-of gl|gles|vulkan      prints the renderer and its driver
+// lumaknot-gpu --version-of gl-hardware         prints those of a GPU
 // Exit code 0: done; 2: wrong use or a bad job; 3: no such API, or a shader that does not compile.
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 
 #include "scene/atomic_file.h"
 #include "scene/error.h"
+#include "validate/gpu/frame_times.h"
 #include "validate/gpu/gl_run.h"
 #include "validate/gpu/job.h"
 #include "validate/gpu/vulkan_run.h"
@@ -27,9 +30,10 @@ void prefer_software() {
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
 }
 
-template <class Run>
-void draw_all(const Job& job) {
-  Run run(job);
+void allow_hardware() { ::unsetenv("LIBGL_ALWAYS_SOFTWARE"); }
+
+void draw_on_vulkan(const Job& job) {
+  VulkanRun run(job);
   for (const Draw& draw : job.draws) {
     const std::vector<float> pixels = run.draw(draw);
     write_file(draw.output,
@@ -38,23 +42,38 @@ void draw_all(const Job& job) {
   }
 }
 
+void draw_on_gl(const Job& job) {
+  const GlRun run(job);
+  for (const Draw& draw : job.draws) {
+    run.draw_frame(run.prepare(draw));
+    run.write_image(draw);
+  }
+}
+
 void run_job(const std::string& file) {
   const Job job = read_job(file);
-  if (job.api == Api::kVulkan) {
-    draw_all<VulkanRun>(job);
-  } else {
-    draw_all<GlRun>(job);
-  }
+  if (job.hardware) allow_hardware();
+  if (job.api == Api::kVulkan) return draw_on_vulkan(job);
+  if (job.frames == 0) return draw_on_gl(job);
+  draw_frames(job);
 }
 
 std::string version_of(Api api) {
   if (api == Api::kVulkan) return vulkan_version();
-  const GlContext context(api);
+  const GlContext context(api, false);
+  return gl_version();
+}
+
+std::string version_of_hardware() {
+  allow_hardware();
+  const GlContext context(Api::kGl, true);
   return gl_version();
 }
 
 void run(const std::vector<std::string>& arguments) {
-  if (arguments.size() == 2 && arguments[0] == "--version-of") {
+  if (arguments == std::vector<std::string>{"--version-of", "gl-hardware"}) {
+    fmt::print("{}\n", version_of_hardware());
+  } else if (arguments.size() == 2 && arguments[0] == "--version-of") {
     fmt::print("{}\n", version_of(api_named(arguments[1], "--version-of")));
   } else if (arguments.size() == 1 && !arguments[0].starts_with("-")) {
     run_job(arguments[0]);

@@ -95,7 +95,7 @@ SampledImage upload_texture(const VulkanDevice& vulkan, const Texture& texture,
                    Stage::eVertexShader | Stage::eFragmentShader, Access::eTransferWrite,
                    Access::eShaderRead});
   });
-  return {std::move(image), make_sampler(vulkan, texture.linear)};
+  return {std::move(image), make_sampler(vulkan, texture.filter == Filter::kLinear)};
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+/// A mesh for Embree's rays.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <string>
+
+#include "validate/gpu/mesh_file.h"
+
+namespace lumaknot::embree {
+
+/// A static hierarchy of the best quality over a mesh.
+class Tracer {
+ public:
+  /// Throws std::runtime_error when Embree refuses; `mesh` must outlive it.
+  explicit Tracer(const gpu::Mesh& mesh);
+
+  /// Intersects sixteen rays that run alongside each other; those with valid[i] of 0 are left out.
+  void trace(const int* valid, RTCRayHit16& rays) const;
+
+  /// "Embree 3.13.5"
+  std::string version() const;
+
+ private:
+  struct End {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  std::unique_ptr<RTCDeviceTy, End> device_;
+  std::unique_ptr<RTCSceneTy, End> scene_;
+};
+
+}  // namespace lumaknot::embree

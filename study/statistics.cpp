@@ -1,0 +1,29 @@
+#include "study/statistics.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace lumaknot {
+
+double median(std::vector<double> values) {
+  assert(!values.empty());
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+Spread spread_of(std::span<const double> values) {
+  const auto [least, most] = std::ranges::minmax(values);
+  return {median({values.begin(), values.end()}), least, most};
+}
+
+double paired_ratio(std::span<const double> above, std::span<const double> below) {
+  assert(above.size() == below.size());
+  std::vector<double> ratios;
+  ratios.reserve(above.size());
+  for (std::size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
+  return median(std::move(ratios));
+}
+
+}  // namespace lumaknot

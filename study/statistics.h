@@ -1,0 +1,24 @@
+/// What repeated measurements have in common.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace lumaknot {
+
+/// Where measurements lie.
+struct Spread {
+  double median = 0, least = 0, most = 0;
+};
+
+/// The middle of `values`, which must not be empty; of an even number the mean of the middle two.
+double median(std::vector<double> values);
+
+/// Of `values`, which must not be empty.
+Spread spread_of(std::span<const double> values);
+
+/// The median of above[i] / below[i]: measurements taken in turns, so that what slows the machine
+/// for a while slows both. As many of each, and not none.
+double paired_ratio(std::span<const double> above, std::span<const double> below);
+
+}  // namespace lumaknot

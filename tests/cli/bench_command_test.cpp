@@ -1,0 +1,71 @@
+// lumaknot bench, as the shell sees it. No time is expected of anything.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program_test.h"
+
+namespace lumaknot {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+/// As little as there is to measure.
+const std::vector<std::string> kQuick{"bench",     "small.json", "--alone",   "--rounds", "1",
+                                      "--seconds", "0",          "--threads", "1"};
+
+class Bench : public Program {
+ protected:
+  void SetUp() override { write("small.json", R"({"image": {"width": 64, "height": 48}})"); }
+
+  static std::vector<std::string> quick(const std::vector<std::string>& more) {
+    std::vector<std::string> all = kQuick;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+};
+
+TEST_F(Bench, tells_a_row_for_each_number_of_samples_beside_the_paper_s) {
+  const Ended ended = lumaknot(quick({"--samples", "1,4"}));
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_THAT(ended.log, ContainsRegex("64 x 48 +thr +AA +classical"));
+  EXPECT_THAT(ended.log, ContainsRegex("lumaknot +1 +none"));
+  EXPECT_THAT(ended.log, ContainsRegex("lumaknot +1 +4x"));
+  EXPECT_THAT(ended.log, HasSubstr("GeForce GTS 250"));
+}
+
+TEST_F(Bench, writes_the_table_and_its_picture) {
+  const Ended ended =
+      lumaknot(quick({"--samples", "1", "--quiet", "-o", "table.json", "--picture", "bench.svg"}));
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_EQ(ended.log, "");
+  const auto table = nlohmann::json::parse(read("table.json"));
+  EXPECT_EQ(table["rows"].size(), 1u);
+  EXPECT_GT(table["rows"][0]["classical"]["milliseconds"]["median"], 0);
+  EXPECT_THAT(read("bench.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(Bench, the_scene_may_follow_the_samples) {
+  const Ended ended = lumaknot({"bench", "--alone", "--rounds", "1", "--seconds", "0", "--threads",
+                                "1", "--samples", "1", "small.json"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_THAT(ended.log, HasSubstr("64 x 48"));
+}
+
+TEST_F(Bench, tells_json_on_request) {
+  const Ended ended = lumaknot(quick({"--json", "--samples", "1"}));
+  EXPECT_EQ(nlohmann::json::parse(ended.log)["paper"].size(), 5u);
+}
+
+TEST_F(Bench, wrong_numbers_and_scenes_are_refused) {
+  expect_refused(quick({"--samples", "0"}), "--samples");
+  expect_refused(quick({"--samples", "1,17"}), "17");
+  expect_refused({"bench", "--rounds", "0"}, "--rounds");
+  expect_refused({"bench", "--threads", "-1"}, "--threads");
+  expect_refused({"bench", "--seconds", "-1"}, "--seconds");
+  expect_refused({"bench", "nowhere"}, "nowhere");
+  expect_refused(quick({"-o", "no/folder/table.json"}), "--output");
+  expect_refused(quick({"--picture", "no/folder/bench.svg"}), "--picture");
+}
+
+}  // namespace
+}  // namespace lumaknot

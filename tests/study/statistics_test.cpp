@@ -1,0 +1,33 @@
+#include "study/statistics.h"
+
+#include <gmock/gmock.h>
+
+namespace lumaknot {
+namespace {
+
+TEST(Statistics, median_of_an_odd_number_is_the_middle_one) {
+  EXPECT_EQ(median({5}), 5);
+  EXPECT_EQ(median({9, 1, 4}), 4);
+}
+
+TEST(Statistics, median_of_an_even_number_is_the_mean_of_the_middle_two) {
+  EXPECT_EQ(median({8, 2}), 5);
+  EXPECT_EQ(median({1000, 3, 4, 1}), 3.5);
+}
+
+TEST(Statistics, spread_holds_the_least_and_the_most) {
+  const std::vector<double> values{3, 1, 7, 2, 5};
+  const Spread spread = spread_of(values);
+  EXPECT_EQ(spread.median, 3);
+  EXPECT_EQ(spread.least, 1);
+  EXPECT_EQ(spread.most, 7);
+}
+
+TEST(Statistics, paired_ratio_does_not_see_that_the_machine_slows_down) {
+  // Each pair has the ratio 1.25 while the machine becomes ten times slower; one pair is disturbed.
+  const std::vector<double> below{1, 2, 4, 8, 10}, above{1.25, 2.5, 5, 80, 12.5};
+  EXPECT_EQ(paired_ratio(above, below), 1.25);
+}
+
+}  // namespace
+}  // namespace lumaknot
