@@ -45,7 +45,7 @@ SetUp<A> set_up(const FrameData& data, const Ints<A>& triangles) {
   // Twice the area, positive where the corners run clockwise on the screen (y downwards).
   const Ints<A> x1 = p[1][0] - p[0][0], y1 = p[1][1] - p[0][1];
   const Ints<A> x2 = p[2][0] - p[0][0], y2 = p[2][1] - p[0][1];
-  const Ints<A> area = x1 * y2 - x2 * y1;
+  const Ints<A> area = wrapped_product<A>(x1, y2) - wrapped_product<A>(x2, y1);
   const auto turned = area < Ints<A>(0);
   area.store_unaligned(s.area);
   xsimd::select(turned, Ints<A>(1), Ints<A>(0)).store_unaligned(s.turned);

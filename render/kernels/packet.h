@@ -56,6 +56,14 @@ Floats<A> floor(const Floats<A>& x) {
   return xsimd::floor(x.v);
 }
 
+/// The lowest 32 bits of the products.
+template <class A>
+Ints<A> wrapped_product(const Ints<A>& a, const Ints<A>& b) {
+  using Unsigned = xsimd::batch<std::uint32_t, A>;
+  const Unsigned product = xsimd::bitwise_cast<Unsigned>(a) * xsimd::bitwise_cast<Unsigned>(b);
+  return xsimd::bitwise_cast<Ints<A>>(product);
+}
+
 /// values[index] of each lane.
 template <class A>
 Ints<A> gather(const std::int32_t* values, const Ints<A>& index) {
