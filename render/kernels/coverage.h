@@ -170,26 +170,29 @@ class BlockEdges {
   std::array<Ints<A>, 3> lanes_;
 };
 
-/// All samples of a small triangle. Blocks and samples that it misses are not told apart: a branch
-/// that can't be foreseen takes longer.
-template <class A>
+/// All samples of a small triangle; `one`: there is one a pixel, at its centre. Blocks and samples
+/// that it misses are not told apart: a branch that can't be foreseen takes longer.
+template <class A, bool one>
 void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
   const int x0 = d.x0 & -kBlockWidth, y0 = d.y0 & -kBlockHeight<A>;
+  const std::size_t samples = one ? 1 : tile.pattern.size();
   const BlockEdges<A> edges(s, k, x0, y0);
   const BlockDepths<A> depths(d);
   std::int32_t steps[16][3];
-  edges.sample_steps(tile.pattern, steps);
+  if constexpr (!one) edges.sample_steps(tile.pattern, steps);
   for (int y = y0; y <= d.y1; y += kBlockHeight<A>) {
     for (int x = x0; x <= d.x1; x += kBlockWidth) {
-      std::size_t at = block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size();
+      std::size_t at = block_begin<A>(x - tile.x0, y - tile.y0) * samples;
       const std::array<Ints<A>, 3> e = edges.block(x - x0, y - y0);
-      const double depth = depths.first(x, y);
-      for (std::size_t i = 0; i < tile.pattern.size(); ++i) {
-        const Ints<A> outside = (e[0] + Ints<A>(steps[i][0])) | (e[1] + Ints<A>(steps[i][1])) |
-                                (e[2] + Ints<A>(steps[i][2]));
-        keep_nearest<A>(outside >= Ints<A>(0), depths.at(depth, tile.pattern[i]), d.triangle,
+      const double first = depths.first(x, y);
+      for (std::size_t i = 0; i < samples; ++i, at += Ints<A>::size) {
+        std::array<Ints<A>, 3> moved = e;
+        if constexpr (!one) {
+          for (std::size_t j = 0; j < 3; ++j) moved[j] = e[j] + Ints<A>(steps[i][j]);
+        }
+        keep_nearest<A>((moved[0] | moved[1] | moved[2]) >= Ints<A>(0),
+                        depths.at(first, one ? SamplePlace{0, 0} : tile.pattern[i]), d.triangle,
                         tile.depths + at, tile.seen + at);
-        at += Ints<A>::size;
       }
     }
   }
@@ -315,7 +318,8 @@ void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull
   if (area == 0 || (cull && area > 0)) return;
   const Drawn d = drawn_part<A>(s, k, triangle, tile);
   if (d.x0 > d.x1 || d.y0 > d.y1) return;
-  if (small) return draw_small<A>(s, k, d, tile);
+  if (small && tile.pattern.size() == 1) return draw_small<A, true>(s, k, d, tile);
+  if (small) return draw_small<A, false>(s, k, d, tile);
   for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
     draw_large<A>(s, k, d, tile, sample);
   }

@@ -85,7 +85,8 @@ class TilePainter {
     std::fill_n(memory_.seen.data(), memory_.seen.size(), kNothing);
   }
 
-  void cover(const std::uint32_t* triangles, std::size_t count) {
+  // Flat, as `shaded`: calls would pass registers through memory.
+  __attribute__((flatten)) void cover(const std::uint32_t* triangles, std::size_t count) {
     constexpr std::size_t kWidth = S::kWidth;
     for (std::size_t i = 0; i < count; i += kWidth) {
       std::int32_t packet[kWidth];
@@ -122,22 +123,47 @@ class TilePainter {
       const bool any = xsimd::any(uniform != Ints<A>(kNothing));
       memory_.touched[std::size_t(block)] = any;
       if (!any) continue;
-      std::fill_n(memory_.colors.data() + begin * 4, S::kWidth * 4, 0.0f);
-      std::int32_t seen[S::kWidth];
-      uniform.store_unaligned(seen);
       const int x = target_.x0 + block % kAcross * kBlockWidth;
       const int y = target_.y0 + block / kAcross * kBlockHeight<A>;
-      for (int lane = 0; lane < int(S::kWidth); ++lane) {
-        const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth,
-                          memory_.colors.data() + (begin + std::size_t(lane)) * 4};
-        if (seen[lane] == kMixed) {
-          add_mixed(waiting, place, samples + lane);
-        } else if (seen[lane] != kNothing) {
-          add(waiting, seen[lane], place, 0.5f, 0.5f, 1);
-        }
+      float* colors = memory_.colors.data() + begin * 4;
+      if (xsimd::all(uniform >= Ints<A>(0))) {
+        shade_whole(uniform, x, y, colors);
+      } else {
+        add_block(waiting, uniform, x, y, samples, colors);
       }
     }
     flush(waiting);
+  }
+
+  /// A block each of whose pixels sees one triangle.
+  void shade_whole(const Ints<A>& seen, int x, int y, float* colors) const {
+    const Vec3<S> color = shaded({seen, to_floats<A>(lane_columns<A>()) + S(x + 0.5),
+                                  to_floats<A>(lane_rows<A>()) + S(y + 0.5)});
+    alignas(64) float r[S::kWidth], g[S::kWidth], b[S::kWidth];
+    color.x.store(r);
+    color.y.store(g);
+    color.z.store(b);
+    for (std::size_t i = 0; i < S::kWidth; ++i) {
+      colors[4 * i] = r[i];
+      colors[4 * i + 1] = g[i];
+      colors[4 * i + 2] = b[i];
+      colors[4 * i + 3] = 1;
+    }
+  }
+
+  void add_block(Waiting<A>& waiting, const Ints<A>& uniform, int x, int y,
+                 const std::int32_t* samples, float* colors) {
+    std::fill_n(colors, S::kWidth * 4, 0.0f);
+    std::int32_t seen[S::kWidth];
+    uniform.store_unaligned(seen);
+    for (int lane = 0; lane < int(S::kWidth); ++lane) {
+      const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane * 4};
+      if (seen[lane] == kMixed) {
+        add_mixed(waiting, place, samples + lane);
+      } else if (seen[lane] != kNothing) {
+        add(waiting, seen[lane], place, 0.5f, 0.5f, 1);
+      }
+    }
   }
 
   struct Place {
@@ -203,7 +229,7 @@ class TilePainter {
     waiting.count = 0;
   }
 
-  Vec3<S> shaded(const Points<A>& p) const {
+  __attribute__((flatten)) Vec3<S> shaded(const Points<A>& p) const {
     const Interpolation<A> at = interpolate<A>(data_, p);
     const Vec3<S> texture = texture_at<A>(data_, at);
     const Terms<S> terms =
