@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 
 #include "render/fast_renderer.h"
 #include "scene/presets.h"
@@ -187,16 +188,17 @@ double ratio_of(const Contender& contender, const Contender& ours) {
   return paired_ratio(medians(contender), medians(ours));
 }
 
-/// Ours on as many threads (a GPU: on the most) and with as many samples; else, the driver having
-/// fewer, with the most.
+/// Ours on as many threads (a GPU: on the most) and with as many samples, or the next more that
+/// there are: what has fewer is not made to look slow by them.
 const Contender& ours_beside(const Contender& contender, std::span<const Contender> all) {
-  const Contender* best = &all.front();
-  for (const Contender& ours : all) {
-    if (ours.row.renderer != all.front().row.renderer) break;
-    const bool threads = contender.row.threads == 0 || ours.row.threads == contender.row.threads;
-    if (threads && ours.row.samples <= contender.row.samples) best = &ours;
-  }
-  return *best;
+  const RateRow& its = contender.row;
+  const auto distance = [&](const Contender& ours) {
+    const int threads =
+        its.threads == 0 ? -ours.row.threads : std::abs(ours.row.threads - its.threads);
+    return std::tuple(ours.row.renderer != all.front().row.renderer, threads,
+                      ours.row.samples < its.samples, std::abs(ours.row.samples - its.samples));
+  };
+  return *std::ranges::min_element(all, {}, distance);
 }
 
 RateTable finished(std::vector<Contender>& contenders, RateTable table) {

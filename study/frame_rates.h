@@ -41,8 +41,8 @@ struct RateRow {
   std::string how;       ///< what is particular to its frames
   std::array<Spread, kRateShots.size()> milliseconds{};
   std::array<double, kRateShots.size()> costs{};  ///< share of the classical rate that is lost
-  double ratio =
-      1;  ///< its time over ours on as many threads with as many samples, paired by round
+  double ratio = 1;  ///< its time over ours on as many threads with as many samples, or the next
+                     ///< more; paired by round
 };
 
 /// A renderer that has no rows.

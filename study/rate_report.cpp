@@ -60,8 +60,8 @@ std::string notes_text(const RateTable& table) {
       "of neighbouring frames.\n"
       "YIQ: eq. 6-8, collapsed. Table 1: the paper's listing as written, which is what the paper "
       "timed.\n"
-      "x ours: a classical frame's time over ours with as many threads and samples. ms: the least "
-      "and most of it.\n";
+      "x ours: a classical frame's time over ours with as many threads, and as many samples or the "
+      "next more. ms: the least and most of it.\n";
   std::vector<std::string> told;
   for (const RateRow& row : table.rows) {
     told.push_back(fmt::format("{}: {}.\n", row.renderer, row.how));
