@@ -31,6 +31,11 @@ void check(const Scene& scene, const FastOptions& options) {
     throw Error(fmt::format("view.image must be at most {0} x {0} here, got {1} x {2}",
                             kLargestSide, image.width, image.height));
   }
+  const auto* texture = std::get_if<TextureImage>(&scene.texture);
+  if (texture && (texture->width > kLargestSide || texture->height > kLargestSide)) {
+    throw Error(fmt::format("texture must be at most {0} x {0} here, got {1} x {2}", kLargestSide,
+                            texture->width, texture->height));
+  }
   if (scene.mesh.triangles.size() > kMostTriangles || scene.mesh.positions.size() > kMostVertices) {
     throw Error(
         fmt::format("the mesh may have at most {} triangles and vertices here, got {} and {}",

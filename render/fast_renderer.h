@@ -36,8 +36,8 @@ struct FastOptions {
 /// end; after the first frame nothing is allocated. The same bytes whatever the number of threads.
 class FastRenderer {
  public:
-  /// Throws Error for samples that there are not, images beyond 16384 pixels a side, meshes of
-  /// more than 2^30 triangles, and more than one of the scene's own samples.
+  /// Throws Error for samples that there are not, images and textures beyond 16384 pixels a side,
+  /// meshes of more than 2^28 triangles or vertices, and more than one of the scene's own samples.
   FastRenderer(const Scene& scene, const FastOptions& options);
   ~FastRenderer();
 
