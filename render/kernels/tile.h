@@ -4,6 +4,14 @@
 #include "render/kernels/coverage.h"
 #include "render/kernels/surface.h"
 
+// All that a function calls in it: calls would pass registers through memory. With the checks of
+// sanitizers such a function takes minutes to compile.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LUMAKNOT_FLAT
+#else
+#define LUMAKNOT_FLAT __attribute__((flatten))
+#endif
+
 namespace lumaknot {
 
 /// Points of a tile that wait to be shaded together.
@@ -85,8 +93,7 @@ class TilePainter {
     std::fill_n(memory_.seen.data(), memory_.seen.size(), kNothing);
   }
 
-  // Flat, as `shaded`: calls would pass registers through memory.
-  __attribute__((flatten)) void cover(const std::uint32_t* triangles, std::size_t count) {
+  LUMAKNOT_FLAT void cover(const std::uint32_t* triangles, std::size_t count) {
     constexpr std::size_t kWidth = S::kWidth;
     for (std::size_t i = 0; i < count; i += kWidth) {
       std::int32_t packet[kWidth];
@@ -229,7 +236,7 @@ class TilePainter {
     waiting.count = 0;
   }
 
-  __attribute__((flatten)) Vec3<S> shaded(const Points<A>& p) const {
+  LUMAKNOT_FLAT Vec3<S> shaded(const Points<A>& p) const {
     const Interpolation<A> at = interpolate<A>(data_, p);
     const Vec3<S> texture = texture_at<A>(data_, at);
     const Terms<S> terms =
