@@ -7,6 +7,7 @@
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
+#include "study/growth.h"
 #include "study/rate_report.h"
 #include "validate/process.h"
 
@@ -16,20 +17,39 @@ namespace {
 struct BenchFlags {
   std::string scene = "figure2", output, picture;
   RateOptions options;
-  bool alone = false;
+  bool alone = false, growth = false;
   Output out;
 };
 
-void run(BenchFlags& flags) {
+/// What was measured, told in each way.
+struct Told {
+  std::string text, json, svg;
+};
+
+Told frame_rates(const Scene& scene, const BenchFlags& flags) {
+  RateOptions options = flags.options;
+  options.peers = !flags.alone;
+  const RateTable table = measure_rates(scene, options, progress_bar(flags.out, "bench"));
+  return {rates_text(table), rates_json(table), rates_svg(table)};
+}
+
+Told growth(const Scene& scene, const MeshSpec& mesh, const BenchFlags& flags) {
+  const GrowthOptions options{.threads = flags.options.threads, .seconds = flags.options.seconds};
+  const std::vector<Growth> all =
+      measure_growth(scene, mesh, options, progress_bar(flags.out, "bench"));
+  return {growth_text(all), growth_json(all), growth_svg(all)};
+}
+
+void run(const BenchFlags& flags) {
   if (!flags.output.empty()) check_writable(flags.output, "--output");
   if (!flags.picture.empty()) check_writable(flags.picture, "--picture");
-  flags.options.peers = !flags.alone;
-  const Scene scene = load_scene(read_scene(flags.scene));
-  const RateTable table = measure_rates(scene, flags.options, progress_bar(flags.out, "bench"));
-  if (!flags.output.empty()) write_file(flags.output, rates_json(table), "--output");
-  if (!flags.picture.empty()) write_file(flags.picture, rates_svg(table), "--picture");
-  if (flags.out.json) fmt::print("{}", rates_json(table));
-  flags.out.say(rates_text(table));
+  const SceneInput input = read_scene(flags.scene);
+  const Scene scene = load_scene(input);
+  const Told told = flags.growth ? growth(scene, input.spec.mesh, flags) : frame_rates(scene, flags);
+  if (!flags.output.empty()) write_file(flags.output, told.json, "--output");
+  if (!flags.picture.empty()) write_file(flags.picture, told.svg, "--picture");
+  if (flags.out.json) fmt::print("{}", told.json);
+  flags.out.say(told.text);
 }
 
 void add_measuring_flags(CLI::App& command, RateOptions& options) {
@@ -65,12 +85,17 @@ void add_bench_command(CLI::App& program) {
   command->add_option("-o,--output", flags->output, "the table as JSON");
   command->add_option("--picture", flags->picture, "the table as a bar chart: .svg");
   command->add_flag("--alone", flags->alone, "without llvmpipe, a GPU and Embree");
+  command
+      ->add_flag("--growth", flags->growth,
+                 "instead, how a frame's time grows with triangles, pixels and samples")
+      ->excludes("--alone", "--rounds", "--samples");
   add_output_flags(*command, flags->out);
   command->footer(
       "Examples:\n"
       "  lumaknot bench\n"
       "  lumaknot bench --rounds 20 -o table.json --picture bench.svg\n"
-      "  lumaknot bench scene.json --samples 1,4 --threads 4 --alone");
+      "  lumaknot bench scene.json --samples 1,4 --threads 4 --alone\n"
+      "  lumaknot bench --growth --picture growth.svg");
   command->callback([flags] {
     const InterruptGuard guard;
     run(*flags);
