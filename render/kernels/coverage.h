@@ -20,7 +20,7 @@ struct SetUp {
   static constexpr std::size_t kWidth = Ints<A>::size;
   std::int32_t ax[3][kWidth], ay[3][kWidth];  ///< corners, oriented; an edge begins at each
   std::int32_t dx[3][kWidth], dy[3][kWidth];  ///< to the next corner
-  float depth[3][kWidth];                     ///< inverse, of the corners
+  float depth[3][kWidth];                     ///< inverse, of these corners
   float slope_x[kWidth], slope_y[kWidth];     ///< of the inverse depth, a pixel
   std::int32_t least[2][kWidth], most[2][kWidth];
   std::int32_t area[kWidth];    ///< before; of small triangles twice the area, others anything
@@ -59,6 +59,10 @@ SetUp<A> set_up(const FrameData& data, const Ints<A>& triangles) {
     p[2][c] = xsimd::select(turned, p[1][c], p[2][c]);
     p[1][c] = second;
   }
+  const Floats<A> second =
+      as_floats<A>(xsimd::select(turned, as_ints<A>(depth[2]), as_ints<A>(depth[1])));
+  depth[2] = as_floats<A>(xsimd::select(turned, as_ints<A>(depth[1]), as_ints<A>(depth[2])));
+  depth[1] = second;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     p[i][0].store_unaligned(s.ax[i]);
@@ -97,7 +101,7 @@ template <class A>
 void keep_nearest(const xsimd::batch_bool<std::int32_t, A>& mask, const Floats<A>& depth,
                   std::uint32_t triangle, std::int32_t* depths, std::int32_t* seen) {
   const Ints<A> old = Ints<A>::load_aligned(depths);
-  const Ints<A> bits = xsimd::bitwise_cast<Ints<A>>(depth.v);
+  const Ints<A> bits = as_ints<A>(depth);
   const auto passes = mask && bits >= old;
   xsimd::select(passes, bits, old).store_aligned(depths);
   const Ints<A> before = Ints<A>::load_aligned(seen);
@@ -281,6 +285,7 @@ std::int64_t set_up_large(SetUp<A>& s, std::size_t k) {
   if (area >= 0) return before;
   std::swap(s.ax[1][k], s.ax[2][k]);
   std::swap(s.ay[1][k], s.ay[2][k]);
+  std::swap(s.depth[1][k], s.depth[2][k]);
   for (std::size_t i = 0; i < 3; ++i) {
     s.dx[i][k] = s.ax[(i + 1) % 3][k] - s.ax[i][k];
     s.dy[i][k] = s.ay[(i + 1) % 3][k] - s.ay[i][k];

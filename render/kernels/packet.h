@@ -111,6 +111,12 @@ I last_pixel(const I& most, bool centres) {
   return (most - I(centres ? kSubpixels / 2 : 0)) >> kSubpixelBits;
 }
 
+/// The floats' bits.
+template <class A>
+Ints<A> as_ints(const Floats<A>& x) {
+  return xsimd::bitwise_cast<Ints<A>>(x.v);
+}
+
 /// The three corners of each lane's triangle.
 template <class A>
 std::array<Ints<A>, 3> load_corners(const FrameData& data, const Ints<A>& triangle) {

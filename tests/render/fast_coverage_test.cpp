@@ -101,6 +101,39 @@ TEST(FastCoverage, of_triangles_about_as_large_as_small_ones_may_be_is_the_refer
   expect_identical(soup(6, 400, 56, 512), {});
 }
 
+// Triangles that pass through each other, seen from both sides: where one is nearer than the other
+// is told by depth alone.
+TEST(FastCoverage, of_triangles_through_each_other_is_the_references) {
+  for (const int extent : {20, 400}) {  // small, and large
+    Scene scene = flat_scene();
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return int(random() % std::uint32_t(n)); };
+    for (int i = 0; i < 40; ++i) {
+      const int x = below(kSize * 1024), y = below(kSize * 1024);
+      std::array<Vec3d, 3> corners;
+      for (Vec3d& corner : corners) {
+        corner = snapped_point(x + below(extent * 1024) - extent * 512,
+                               y + below(extent * 1024) - extent * 512, (64.0 + below(512)) / 128);
+      }
+      add_flat(scene.mesh, corners);
+    }
+    for (const SimdLevel level : testing::simd_levels()) {
+      FastOptions options;
+      options.level = level;
+      const Image reference = render(scene), fast = fast_image(scene, options);
+      int differing = 0, covered = 0;
+      for (std::size_t i = 0; i < fast.pixels.size(); ++i) {
+        const RgbaPixel &p = reference.pixels[i], &q = fast.pixels[i];
+        EXPECT_EQ(p.coverage, q.coverage);
+        covered += p.coverage > 0;
+        differing += std::abs(p.color.r - q.color.r) > 0.001;
+      }
+      EXPECT_GT(covered, 900);
+      EXPECT_LE(differing, 3) << extent;  // where they cross, floats may choose the other
+    }
+  }
+}
+
 TEST(FastCoverage, of_a_fan_draws_every_sample_once) {
   Scene scene = flat_scene();
   // A regular fan round a pixel's centre, its rim far outside; both halves of a shared edge.
