@@ -45,7 +45,8 @@ void run(const BenchFlags& flags) {
   if (!flags.picture.empty()) check_writable(flags.picture, "--picture");
   const SceneInput input = read_scene(flags.scene);
   const Scene scene = load_scene(input);
-  const Told told = flags.growth ? growth(scene, input.spec.mesh, flags) : frame_rates(scene, flags);
+  const Told told =
+      flags.growth ? growth(scene, input.spec.mesh, flags) : frame_rates(scene, flags);
   if (!flags.output.empty()) write_file(flags.output, told.json, "--output");
   if (!flags.picture.empty()) write_file(flags.picture, told.svg, "--picture");
   if (flags.out.json) fmt::print("{}", told.json);
