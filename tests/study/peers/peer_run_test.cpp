@@ -59,7 +59,7 @@ constexpr Promise kPromises[] = {{Peer::kSoftwareGl, 8, 2.0 / 255, 0},
 class Peers : public ::testing::TestWithParam<Promise> {
  protected:
   void SetUp() override {
-    if (const std::string why = missing_peer(GetParam().peer); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = missing_peer(GetParam().peer); !why.empty()) FAIL() << why;
   }
 };
 
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Peers, Peers, ::testing::ValuesIn(kPromises), [](const 
 });
 
 TEST(SoftwareGl, back_faces_of_a_closed_mesh_are_never_seen) {
-  if (const std::string why = missing_peer(Peer::kSoftwareGl); !why.empty()) GTEST_SKIP() << why;
+  if (const std::string why = missing_peer(Peer::kSoftwareGl); !why.empty()) FAIL() << why;
   const Scene scene = figure2();
   const std::vector<Shot> shots = rate_shots(scene);
   const PeerRun all(Peer::kSoftwareGl, scene, shots, {});
