@@ -107,8 +107,8 @@ FrameData frame_data(const Scene& scene, const FastOptions& options) {
 TileMemory tile_memory(std::size_t samples) {
   constexpr std::size_t kPlane = kTile * kTile;
   TileMemory memory;
-  memory.depths.resize(samples * kPlane);
-  memory.seen.resize(samples * kPlane);
+  memory.depths.resize(samples * kPlane + 16);
+  memory.seen.resize(samples * kPlane + 16);
   memory.colors.resize(kPlane * 4);
   memory.touched.resize(kPlane);
   return memory;

@@ -1,3 +1,5 @@
+#define E8 1
+#define E4 1
 /// Loading a row of each lane's and turning rows into columns: what a gather a column would do,
 /// with one load a row.
 #pragma once
@@ -91,29 +93,6 @@ struct Rows<xsimd::avx512bw, 8> {
   }
 };
 
-template <>
-struct Rows<xsimd::avx512bw, 2> {
-  using A = xsimd::avx512bw;
-  static std::array<Ints<A>, 2> load(const std::int32_t* words, const std::int32_t* begins) {
-    const auto two = [&](std::size_t k) {
-      const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(words + begins[k]));
-      return _mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(low),
-                                           reinterpret_cast<const __m64*>(words + begins[k + 1])));
-    };
-    const auto eight = [&](std::size_t k) {
-      __m512i rows = _mm512_castsi128_si512(two(k));
-      rows = _mm512_inserti32x4(rows, two(k + 2), 1);
-      rows = _mm512_inserti32x4(rows, two(k + 4), 2);
-      return _mm512_inserti32x4(rows, two(k + 6), 3);
-    };
-    const __m512i first =
-        _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    const __m512i low = eight(0), high = eight(8);
-    return {Ints<A>(_mm512_permutex2var_epi32(low, first, high)),
-            Ints<A>(_mm512_permutex2var_epi32(low, _mm512_or_si512(first, _mm512_set1_epi32(1)),
-                                              high))};
-  }
-};
 #endif
 
 /// As Rows, with the begins in a packet.
@@ -125,5 +104,46 @@ std::array<Ints<A>, n> load_rows(const void* words, const Ints<A>& begin) {
   asm("" : "+m"(begins));
   return Rows<A, n>::load(static_cast<const std::int32_t*>(words), begins);
 }
+
+#ifdef __AVX512F__
+/// Two words a row are one gather of eight bytes a lane.
+inline std::array<Ints<xsimd::avx512bw>, 2> load_pair(const std::int32_t* words, __m512i at) {
+  const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(at), words, 4);
+  const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(at, 1), words, 4);
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  const __m512i odd = _mm512_or_si512(even, _mm512_set1_epi32(1));
+  return {Ints<xsimd::avx512bw>(_mm512_permutex2var_epi32(low, even, high)),
+          Ints<xsimd::avx512bw>(_mm512_permutex2var_epi32(low, odd, high))};
+}
+template <>
+inline std::array<Ints<xsimd::avx512bw>, 2> load_rows<xsimd::avx512bw, 2>(
+    const void* words, const Ints<xsimd::avx512bw>& begin) {
+  return load_pair(static_cast<const std::int32_t*>(words), begin);
+}
+#if E8
+template <>
+inline std::array<Ints<xsimd::avx512bw>, 8> load_rows<xsimd::avx512bw, 8>(
+    const void* words, const Ints<xsimd::avx512bw>& begin) {
+  std::array<Ints<xsimd::avx512bw>, 8> r;
+  for (int c = 0; c < 8; c += 2) {
+    const auto pair = load_pair(static_cast<const std::int32_t*>(words) + c, begin);
+    r[c] = pair[0], r[c + 1] = pair[1];
+  }
+  return r;
+}
+#endif
+#if E4
+template <>
+inline std::array<Ints<xsimd::avx512bw>, 4> load_rows<xsimd::avx512bw, 4>(
+    const void* words, const Ints<xsimd::avx512bw>& begin) {
+  std::array<Ints<xsimd::avx512bw>, 4> r;
+  for (int c = 0; c < 4; c += 2) {
+    const auto pair = load_pair(static_cast<const std::int32_t*>(words) + c, begin);
+    r[c] = pair[0], r[c + 1] = pair[1];
+  }
+  return r;
+}
+#endif
+#endif
 
 }  // namespace lumaknot

@@ -3,6 +3,7 @@
 
 #include "render/kernels/coverage.h"
 #include "render/kernels/surface.h"
+#include "render/kernels/tiny.h"
 
 // All that a function calls in it: calls would pass registers through memory. With the checks of
 // sanitizers such a function takes minutes to compile.
@@ -33,7 +34,8 @@ Lighting<Floats<A>> packed(const Lighting<double>& from) {
   Lighting<S> to;
   to.eye_position = vec(from.eye_position);
   for (const LightNumbers<double>& l : from.lights) {
-    to.lights.push_back({l.has_position, l.has_cone, vec(l.position), vec(l.direction),
+    const bool weakens = l.constant != 1 || l.linear != 0 || l.quadratic != 0;
+    to.lights.push_back({l.has_position, weakens, l.has_cone, vec(l.position), vec(l.direction),
                          vec(l.color), S(l.constant), S(l.linear), S(l.quadratic), S(l.cos_outer),
                          S(l.cone_scale)});
   }
@@ -101,7 +103,13 @@ class TilePainter {
       for (std::size_t k = 0; k < kWidth; ++k) {
         packet[k] = std::int32_t(triangles[i + std::min(k, last - 1)]);
       }
-      SetUp<A> s = set_up<A>(data_, Ints<A>::load_unaligned(packet));
+      const Ints<A> numbers = Ints<A>::load_unaligned(packet);
+      const Oriented<A> o = oriented<A>(data_, numbers);
+      if (tiny_ && are_tiny(o)) {
+        draw_tiny(o, numbers, data_.options.cull_back_faces, target_);
+        continue;
+      }
+      SetUp<A> s = set_up<A>(o);
       for (std::size_t k = 0; k < last; ++k) {
         draw_triangle<A>(s, k, triangles[i + k], data_.options.cull_back_faces, target_);
       }
@@ -305,6 +313,7 @@ class TilePainter {
   const Lighting<S>& lighting_;
   TileMemory& memory_;
   TileTarget target_;
+  bool tiny_ = data_.pattern.size() == 1 && data_.clipped.empty();
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 
