@@ -172,20 +172,33 @@ Floats<A> level_of(const FrameData& data, const TextureSite<A>& site) {
   return min(max(level, S(0)), S(double(levels.count - 1)));
 }
 
-/// The texture there, as the material's form reads it.
+/// Where the texture is read: coordinates in [0, 1] and the level, unless there is one alone.
 template <class A>
-Vec3<Floats<A>> texture_at(const FrameData& data, const Interpolation<A>& at) {
+struct TexturePlace {
+  Floats<A> u, v, level;
+};
+
+template <class A>
+TexturePlace<A> texture_place(const FrameData& data, const Interpolation<A>& at) {
   using S = Floats<A>;
-  const Mipmap& texture = data.texture;
-  if (texture.levels.count == 0) return constant_vec<S>(texture.color);
   const TextureSite<A> site = texture_site<A>(data, at);
   const bool clamped = data.options.wrapping == Wrapping::kClamp;
   const auto wrapped = [&](const S& x) { return saturate(clamped ? x : x - floor(x)); };
-  const S u = wrapped(site.u), v = wrapped(site.v);
+  TexturePlace<A> place{wrapped(site.u), wrapped(site.v), S(0)};
+  if (data.options.filter == Filter::kTrilinear) place.level = level_of<A>(data, site);
+  return place;
+}
+
+/// The texture there, as the material's form reads it.
+template <class A>
+Vec3<Floats<A>> texture_at(const FrameData& data, const TexturePlace<A>& place) {
+  using S = Floats<A>;
+  const Mipmap& texture = data.texture;
+  const S &u = place.u, &v = place.v, &level = place.level;
   if (data.options.filter == Filter::kBilinear) {
     return bilinear<A>(texture, u, v, load_levels<A>(texture, Ints<A>(0)));
   }
-  const S level = level_of<A>(data, site), finer = floor(level);
+  const S finer = floor(level);
   const Ints<A> first = to_ints<A>(finer);
   const Vec3<S> near = bilinear<A>(texture, u, v, load_levels<A>(texture, first));
   const S share = level - finer;

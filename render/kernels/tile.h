@@ -1,3 +1,6 @@
+#ifndef KB
+#define KB 8
+#endif
 /// The last steps of a frame, a tile at a time: what is nearest, its colour, and the picture.
 #pragma once
 
@@ -90,6 +93,19 @@ class TilePainter {
   }
 
  private:
+  struct Lane_packet {
+    Points<A> points;
+    S depth;
+    Vec3<S> normal;
+    TexturePlace<A> place;
+    Terms<S> terms;
+    Vec3<S> color;
+    float* block;
+    Waiting<A> lanes;
+  };
+  static constexpr std::size_t kBatch = KB;
+  Lane_packet batch_[kBatch];
+  std::size_t batch_count_ = 0;
   void clear() {
     std::fill_n(memory_.depths.data(), memory_.depths.size(), 0);
     std::fill_n(memory_.seen.data(), memory_.seen.size(), kNothing);
@@ -148,21 +164,44 @@ class TilePainter {
       }
     }
     flush(waiting);
+    shade_batch();
   }
 
   /// A block each of whose pixels sees one triangle.
-  void shade_whole(const Ints<A>& seen, int x, int y, float* colors) const {
-    const Vec3<S> color = shaded({seen, to_floats<A>(lane_columns<A>()) + S(x + 0.5),
-                                  to_floats<A>(lane_rows<A>()) + S(y + 0.5)});
+  void shade_whole(const Ints<A>& seen, int x, int y, float* colors) {
+    Lane_packet& packet = batch_[batch_count_];
+    packet.points = {seen, to_floats<A>(lane_columns<A>()) + S(x + 0.5),
+                     to_floats<A>(lane_rows<A>()) + S(y + 0.5)};
+    packet.block = colors;
+    if (++batch_count_ == kBatch) shade_batch();
+  }
+
+  void put_block(const Lane_packet& packet) const {
     alignas(64) float r[S::kWidth], g[S::kWidth], b[S::kWidth];
-    color.x.store(r);
-    color.y.store(g);
-    color.z.store(b);
+    packet.color.x.store(r);
+    packet.color.y.store(g);
+    packet.color.z.store(b);
+    float* colors = packet.block;
     for (std::size_t i = 0; i < S::kWidth; ++i) {
       colors[4 * i] = r[i];
       colors[4 * i + 1] = g[i];
       colors[4 * i + 2] = b[i];
       colors[4 * i + 3] = 1;
+    }
+  }
+
+  void put_lanes(const Lane_packet& packet) const {
+    float r[S::kWidth], g[S::kWidth], b[S::kWidth];
+    packet.color.x.store(r);
+    packet.color.y.store(g);
+    packet.color.z.store(b);
+    for (std::size_t k = 0; k < packet.lanes.count; ++k) {
+      float* to = packet.lanes.color[k];
+      const float share = packet.lanes.share[k];
+      to[0] += r[k] * share;
+      to[1] += g[k] * share;
+      to[2] += b[k] * share;
+      to[3] += share;
     }
   }
 
@@ -227,41 +266,71 @@ class TilePainter {
       waiting.x[k] = waiting.x[0];
       waiting.y[k] = waiting.y[0];
     }
-    const Vec3<S> color =
-        shaded({Ints<A>::load_unaligned(waiting.triangle), S::load(waiting.x), S::load(waiting.y)});
-    float r[S::kWidth], g[S::kWidth], b[S::kWidth];
-    color.x.store(r);
-    color.y.store(g);
-    color.z.store(b);
-    for (std::size_t k = 0; k < waiting.count; ++k) {
-      float* to = waiting.color[k];
-      const float share = waiting.share[k];
-      to[0] += r[k] * share;
-      to[1] += g[k] * share;
-      to[2] += b[k] * share;
-      to[3] += share;
-    }
+    Lane_packet& packet = batch_[batch_count_];
+    packet.points = {Ints<A>::load_unaligned(waiting.triangle), S::load(waiting.x), S::load(waiting.y)};
+    packet.block = nullptr;
+    packet.lanes = waiting;
     waiting.count = 0;
+    if (++batch_count_ == kBatch) shade_batch();
   }
 
-  LUMAKNOT_FLAT Vec3<S> shaded(const Points<A>& p) const {
-    const Interpolation<A> at = interpolate<A>(data_, p);
-    const Vec3<S> texture = texture_at<A>(data_, at);
-    const Terms<S> terms =
-        data_.terms.empty() ? surface_terms(surface_point(p, at), lighting_.eye_position,
-                                            lighting_.lights, lighting_.model, data_.shot.material)
-                            : vertex_terms(at);
-    return stage_color<S>(texture, terms, lighting_, data_.shot);
+  /// Stage by stage, each for all packets: a stage's few numbers stay in registers, and packets
+  /// don't wait for each other.
+  void shade_batch() {
+    interpolate_batch();
+    texture_batch();
+    light_batch();
+    for (std::size_t i = 0; i < batch_count_; ++i) {
+      const Lane_packet& packet = batch_[i];
+      if (packet.block) put_block(packet); else put_lanes(packet);
+    }
+    batch_count_ = 0;
   }
 
-  /// The position by the ray through the image point, and the normal between the corners'.
-  SurfacePoint<S> surface_point(const Points<A>& p, const Interpolation<A>& at) const {
+  LUMAKNOT_FLAT void interpolate_batch() {
+    for (std::size_t i = 0; i < batch_count_; ++i) {
+      Lane_packet& packet = batch_[i];
+      const Interpolation<A> at = interpolate<A>(data_, packet.points);
+      packet.depth = at.depth;
+      if (data_.texture.levels.count > 0) packet.place = texture_place<A>(data_, at);
+      if (data_.terms.empty()) {
+        packet.normal = normal_of(at);
+      } else {
+        packet.terms = vertex_terms(at);
+      }
+    }
+  }
+
+  LUMAKNOT_FLAT void texture_batch() {
+    for (std::size_t i = 0; i < batch_count_; ++i) {
+      Lane_packet& packet = batch_[i];
+      packet.color = data_.texture.levels.count > 0 ? texture_at<A>(data_, packet.place) : constant_vec<S>(data_.texture.color);
+    }
+  }
+
+  LUMAKNOT_FLAT void light_batch() {
+    for (std::size_t i = 0; i < batch_count_; ++i) {
+      Lane_packet& packet = batch_[i];
+      if (data_.terms.empty()) {
+        packet.terms = surface_terms(surface_point(packet), lighting_.eye_position, lighting_.lights, lighting_.model, data_.shot.material);
+      }
+      packet.color = stage_color<S>(packet.color, packet.terms, lighting_, data_.shot);
+    }
+  }
+
+  /// The position by the ray through the image point.
+  SurfacePoint<S> surface_point(const Lane_packet& packet) const {
+    const Points<A>& p = packet.points;
     const Vec3<S> ray = constant_vec<S>(data_.corner_ray) + constant_vec<S>(data_.ray_x) * p.x +
                         constant_vec<S>(data_.ray_y) * p.y;
+    return {lighting_.eye_position + ray * packet.depth, packet.normal};
+  }
+
+  Vec3<S> normal_of(const Interpolation<A>& at) const {
     const auto normal = [&](std::size_t c) {
       return weighted<A>(at.weights, corner_members<A>(at, 3 + c));
     };
-    return {lighting_.eye_position + ray * at.depth, {normal(0), normal(1), normal(2)}};
+    return {normal(0), normal(1), normal(2)};
   }
 
   Terms<S> vertex_terms(const Interpolation<A>& at) const {
