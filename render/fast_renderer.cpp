@@ -16,7 +16,7 @@ constexpr int kLargestSide = 256 * kTile;
 constexpr std::size_t kMostTriangles = std::size_t(1) << 28, kMostVertices = kMostTriangles;
 constexpr std::size_t kVertexBatch = 2048;  // handed to a thread at once
 constexpr std::size_t kShortestRun = 1024, kMostRuns = 64;
-constexpr std::size_t kPadding = 16;  // what a packet may read behind the last vertex
+constexpr std::size_t kPadding = 16;  // what a packet may reach behind the last
 
 void check(const Scene& scene, const FastOptions& options) {
   const ImageSpec& image = scene.view.image;
@@ -107,8 +107,8 @@ FrameData frame_data(const Scene& scene, const FastOptions& options) {
 TileMemory tile_memory(std::size_t samples) {
   constexpr std::size_t kPlane = kTile * kTile;
   TileMemory memory;
-  memory.depths.resize(samples * kPlane + 16);
-  memory.seen.resize(samples * kPlane + 16);
+  memory.depths.resize(samples * kPlane + kPadding);
+  memory.seen.resize(samples * kPlane + kPadding);
   memory.colors.resize(kPlane * 4);
   memory.touched.resize(kPlane);
   return memory;
@@ -131,6 +131,9 @@ std::unique_ptr<Kernel> make_kernel(FrameData& data) {
 void sort_by_tile(Run& run, int columns, int rows) {
   const auto each_tile = [&](std::size_t i, const auto& work) {
     const TileBox& box = run.boxes[i];
+    if (box.x0 == box.x1 && box.y0 == box.y1) {  // most
+      return work(std::size_t(box.y0) * std::size_t(columns) + std::size_t(box.x0));
+    }
     for (int y = box.y0; y <= box.y1; ++y) {
       for (int x = box.x0; x <= box.x1; ++x)
         work(std::size_t(y) * std::size_t(columns) + std::size_t(x));

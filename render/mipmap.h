@@ -13,8 +13,8 @@ namespace lumaknot {
 /// As many halves as the largest texture has, and then a packet's lanes.
 constexpr std::size_t kMostLevels = 16;
 
-/// The sizes of a texture, each texel row by row from the bottom, with a border of one texel of what
-/// wrapping finds there, so that neighbours always follow each other.
+/// The sizes of a texture, each texel row by row from the bottom, with a border of one texel of
+/// what wrapping finds there, so that neighbours always follow each other.
 struct MipLevels {
   template <class T>
   using OfEach = std::array<T, kMostLevels>;

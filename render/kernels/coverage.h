@@ -107,8 +107,6 @@ struct TileTarget {
   std::int32_t* seen;
 };
 
-/// What draws into a tile several triangles at once has more in kernels/tiny.h.
-
 /// One triangle of a set-up and the box of pixels of the tile in which its samples may lie.
 struct Drawn {
   std::uint32_t triangle;

@@ -86,8 +86,7 @@ Ints<A> look_up(const std::array<std::int32_t, 16>& values, const Ints<A>& index
 template <>
 inline Ints<xsimd::avx512bw> look_up<xsimd::avx512bw>(const std::array<std::int32_t, 16>& values,
                                                       const Ints<xsimd::avx512bw>& index) {
-  return Ints<xsimd::avx512bw>(
-      _mm512_permutexvar_epi32(index, _mm512_load_si512(values.data())));
+  return Ints<xsimd::avx512bw>(_mm512_permutexvar_epi32(index, _mm512_load_si512(values.data())));
 }
 #endif
 
