@@ -72,7 +72,7 @@ struct TileMemory {
   /// to in place of what lies beyond the tile.
   Aligned<std::int32_t> depths;
   Aligned<std::int32_t> seen;     ///< as many: the triangle, kNothing where there is none
-  Aligned<float> colors;          ///< block by block, lanes x (r, g, b, coverage)
+  Aligned<float> colors;          ///< block by block, (r, g, b, coverage) x lanes
   Aligned<std::uint8_t> touched;  ///< whether a block's colours are set
 };
 constexpr std::int32_t kNothing = -1, kMixed = -2;

@@ -80,7 +80,7 @@ class ShadingBatch {
     std::int32_t triangle[kWidth];
     float x[kWidth], y[kWidth];  ///< image points
     float share[kWidth];         ///< of the pixel's samples
-    float* color[kWidth];        ///< of the pixel
+    float* color[kWidth];        ///< of the pixel: its r, and kWidth farther on each of the rest
   };
 
   /// What the stages hand on.
@@ -177,26 +177,24 @@ class ShadingBatch {
   }
 
   static void put(const Packet& packet) {
-    alignas(64) float r[kWidth], g[kWidth], b[kWidth];
+    if (float* to = packet.block) {
+      packet.color.x.store(to);
+      packet.color.y.store(to + kWidth);
+      packet.color.z.store(to + 2 * kWidth);
+      S(1).store(to + 3 * kWidth);
+      return;
+    }
+    float r[kWidth], g[kWidth], b[kWidth];
     packet.color.x.store(r);
     packet.color.y.store(g);
     packet.color.z.store(b);
-    if (float* to = packet.block) {
-      for (std::size_t i = 0; i < kWidth; ++i, to += 4) {
-        to[0] = r[i];
-        to[1] = g[i];
-        to[2] = b[i];
-        to[3] = 1;
-      }
-      return;
-    }
     for (std::size_t k = 0; k < packet.lanes.count; ++k) {
       float* to = packet.lanes.color[k];
       const float share = packet.lanes.share[k];
       to[0] += r[k] * share;
-      to[1] += g[k] * share;
-      to[2] += b[k] * share;
-      to[3] += share;
+      to[kWidth] += g[k] * share;
+      to[2 * kWidth] += b[k] * share;
+      to[3 * kWidth] += share;
     }
   }
 

@@ -115,7 +115,7 @@ class TilePainter {
     std::int32_t seen[S::kWidth];
     uniform.store_unaligned(seen);
     for (int lane = 0; lane < int(S::kWidth); ++lane) {
-      const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane * 4};
+      const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane};
       if (seen[lane] == kMixed) {
         add_mixed(place, samples + lane);
       } else if (seen[lane] != kNothing) {
@@ -159,33 +159,45 @@ class TilePainter {
   /// The tile's colours into the picture; nothing where no block was touched.
   template <class Pixel>
   void put(Grid<Pixel>& picture, bool any) const {
-    const int width = target_.x1 - target_.x0;
-    for (int y = target_.y0; y < target_.y1; ++y) {
-      Pixel* to = &picture.at(target_.x0, y);
-      std::fill_n(to, width, Pixel{});
-      if (!any) continue;
-      const int row = (y - target_.y0) % kBlockHeight<A> * kBlockWidth;
-      for (int x = 0; x < width; x += kBlockWidth) {
-        const std::size_t begin = block_begin<A>(x, y - target_.y0);
-        if (!memory_.touched[begin / S::kWidth]) continue;
-        Pixel pixels[kBlockWidth];
-        convert(memory_.colors.data() + (begin + std::size_t(row)) * 4, pixels);
-        std::copy_n(pixels, std::min(kBlockWidth, width - x), to + x);
+    for (int y = target_.y0; y < target_.y1; y += kBlockHeight<A>) {
+      for (int x = target_.x0; x < target_.x1; x += kBlockWidth) {
+        const std::size_t begin = block_begin<A>(x - target_.x0, y - target_.y0);
+        alignas(64) std::array<Pixel, S::kWidth> pixels{};
+        if (any && memory_.touched[begin / S::kWidth]) {
+          convert(memory_.colors.data() + begin * 4, pixels);
+        }
+        const int columns = std::min(kBlockWidth, target_.x1 - x);
+        const int rows = std::min(kBlockHeight<A>, target_.y1 - y);
+        for (int row = 0; row < rows; ++row) {
+          const Pixel* from = pixels.data() + row * kBlockWidth;
+          Pixel* to = &picture.at(x, y + row);
+          if (columns == kBlockWidth) {
+            std::copy_n(from, kBlockWidth, to);  // of a size that the compiler knows
+          } else {
+            std::copy_n(from, columns, to);
+          }
+        }
       }
     }
   }
 
   /// Each limited to [0, 1], times 255; NaN becomes 0.
-  static void convert(const float* from, Rgba8* to) {
-    for (std::size_t i = 0; i < 4 * kBlockWidth; i += S::kWidth) {
-      const S limited = saturate(S::load(from + i));
+  static void convert(const float* from, std::array<Rgba8, S::kWidth>& to) {
+    static_assert(sizeof(Rgba8) == sizeof(std::int32_t));
+    Ints<A> packed(0);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const S limited = saturate(S::load(from + c * S::kWidth));
       const S number = select_less(limited, S(2), limited, S(0));
-      store_bytes(to_ints<A>(number * S(255) + S(0.5)), reinterpret_cast<std::uint8_t*>(to) + i);
+      packed = packed | to_ints<A>(number * S(255) + S(0.5)) << int(8 * c);
     }
+    packed.store_aligned(reinterpret_cast<std::int32_t*>(to.data()));
   }
 
-  static void convert(const float* from, RgbaPixel* to) {
-    for (int i = 0; i < kBlockWidth; ++i, from += 4) to[i] = {{from[0], from[1], from[2]}, from[3]};
+  static void convert(const float* from, std::array<RgbaPixel, S::kWidth>& to) {
+    constexpr std::size_t kWidth = S::kWidth;
+    for (std::size_t i = 0; i < kWidth; ++i) {
+      to[i] = {{from[i], from[kWidth + i], from[2 * kWidth + i]}, from[3 * kWidth + i]};
+    }
   }
 
   const FrameData& data_;
