@@ -93,9 +93,10 @@ inline void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
   }
 }
 
-/// Samples with their inverse depths' bits; `at` is their place in the tile's arrays.
+/// Samples: their places in the tile's arrays, and inverse depths' bits above the triangles.
 struct Found {
-  alignas(64) std::int32_t at[16], depth[16], triangle[16];
+  alignas(64) std::int32_t at[16];
+  alignas(64) std::uint64_t key[16];
 };
 
 /// As keep_nearest(), sample by sample; of equal depths the later triangle's stays, in whatever
@@ -103,17 +104,22 @@ struct Found {
 [[gnu::noinline]] inline void keep_found(const Found& found, std::size_t count,
                                          std::int32_t* __restrict depths,
                                          std::int32_t* __restrict seen) {
-  const auto key = [](std::int32_t depth, std::int32_t triangle) {
-    return std::uint64_t(std::uint32_t(depth)) << 32 | std::uint32_t(triangle);
-  };
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = std::size_t(found.at[i]);
-    const std::uint64_t before = key(depths[at], seen[at]);
-    std::uint64_t best = std::max(before, key(found.depth[i], found.triangle[i]));
+    const std::size_t at = std::uint32_t(found.at[i]);
+    const std::uint64_t before =
+        std::uint64_t(std::uint32_t(depths[at])) << 32 | std::uint32_t(seen[at]);
+    std::uint64_t best = std::max(before, found.key[i]);
     asm("" : "+r"(best));  // no branch: it can't be foreseen
     depths[at] = std::int32_t(best >> 32);
     seen[at] = std::int32_t(best);
   }
+}
+
+inline void store_keys(const Ints<Lanes>& depths, const Ints<Lanes>& triangles, Found& found) {
+  const __m512i low = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(8));
+  _mm512_store_si512(found.key, _mm512_permutex2var_epi32(triangles, low, depths));
+  _mm512_store_si512(found.key + 8, _mm512_permutex2var_epi32(triangles, high, depths));
 }
 
 /// Inverse depths of a packet's triangles.
@@ -157,9 +163,8 @@ inline void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool
     const I at = (x & I(3)) + ((x >> 2) << 4) + ((y & I(3)) << 2) + ((y >> 2) << 8);
     Found found;
     xsimd::select(beyond, I(kTile * kTile), at).store_aligned(found.at);
-    as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most)))
-        .store_aligned(found.depth);
-    whole(numbers).store_aligned(found.triangle);
+    store_keys(as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most))),
+               whole(numbers), found);
     keep_found(found, std::min<std::size_t>(16, hits.count - begin), tile.depths, tile.seen);
   }
 }
