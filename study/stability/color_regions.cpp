@@ -35,7 +35,8 @@ Chroma chroma_of(const Vec3d& rgb) {
 
 double hue_error(const Vec3d& before, const Vec3d& after) {
   const Chroma a = chroma_of(before), b = chroma_of(after);
-  if (a.size() < 1e-6 || b.size() < 1e-6) return 0;
+  constexpr double kGrey = 1e-3;  // too little to have a hue
+  if (a.size() < kGrey || b.size() < kGrey) return 0;
   return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * kDegrees;
 }
 
@@ -82,8 +83,12 @@ Scene evenly_lit(double light, const Material& material) {
 Region clamp_of(Space space, double from, double to) {
   const Material clamped = in_space(space, Gamut::kClamp), kept = in_space(space, Gamut::kChroma);
   const Material free = in_space(space, Gamut::kFree);
-  const auto hue = [](const Material& m) {
-    return [m](double light) { return mean_over_cube(light, m, hue_error); };
+  const auto hue = [free](const Material& m) {
+    return [m, free](double light) {
+      return mean_over_cube(light, m, [&](const Vec3d& rgb, const Vec3d& c) {
+        return hue_error(lit(rgb, light, free), c);
+      });
+    };
   };
   const auto picture = [](const Material& m) {
     return [m](double light, int side) { return draw(evenly_lit(light, m), side); };
@@ -94,7 +99,7 @@ Region clamp_of(Space space, double from, double to) {
       "mix with the grey of the same brightness until it fits: material.gamut "
       "\"chroma\" keeps the hue";
   region.sweep = {"light L_A + L_D", from, to};
-  region.measured = "mean hue error after the clamp over the RGB cube, degrees";
+  region.measured = "mean turn of the hue by the clamp over the RGB cube, degrees";
   region.limit = 3;
   region.error = hue(clamped);
   region.guarded = hue(kept);
@@ -104,6 +109,8 @@ Region clamp_of(Space space, double from, double to) {
          return mean_over_cube(
              light, free, [](const Vec3d&, const Vec3d& c) { return is_outside(c) ? 1.0 : 0.0; });
        }},
+      {"mean hue error against the texture, degrees",
+       [clamped](double light) { return mean_over_cube(light, clamped, hue_error); }},
       {"mean chroma above the light's share of the texture's",
        [clamped](double light) {
          return mean_over_cube(light, clamped, [light](const Vec3d& rgb, const Vec3d& c) {

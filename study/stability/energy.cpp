@@ -7,7 +7,7 @@
 namespace lumaknot {
 
 double reflected_share(const Term& term, double incidence) {
-  constexpr int kSteps = 256;
+  constexpr int kSteps = 160;
   const Vec3d n{0, 0, 1}, l{-std::sin(incidence), 0, std::cos(incidence)};
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {  // n.v dv is half of d(sin^2) d(azimuth)
