@@ -33,13 +33,9 @@ double worst(const std::vector<Measured>& all) {
   return result;
 }
 
-double shown(const Region& region, double value, double end) {
-  return region.shown_holds == 0 && region.shown_fails == 0 ? end : value;
-}
-
 void add_pictures(const Region& region, const AtlasOptions& options, Entry& entry) {
-  const double holding = shown(region, region.shown_holds, region.sweep.from);
-  const double failing = shown(region, region.shown_fails, region.sweep.to);
+  const double holding = region.shown_holds.value_or(region.sweep.from);
+  const double failing = region.shown_fails.value_or(region.sweep.to);
   const auto add = [&](const Sketch& sketch, double x, const char* name, const char* caption) {
     if (!sketch) return;
     entry.pictures.push_back({fmt::format("{}, {:.4g}", caption, x), fmt::format("{}.png", name),
@@ -94,6 +90,13 @@ std::string sketch_png(const Image& image) {
 
 namespace {
 
+/// `text` as gnuplot quotes it.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
 /// Whether an axis from `least` to `most` is better logarithmic.
 bool spans_decades(double least, double most) { return least > 0 && most / least > 50; }
 
@@ -126,8 +129,8 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
   const Boundary& b = entry.boundary;
   std::string script = data_block("method", entry.sweep, logarithmic) +
                        data_block("remedy", entry.guarded, logarithmic);
-  script += fmt::format("set xlabel '{}'\nset ylabel '{}'\nset key top left\nset grid\n",
-                        region.sweep.parameter, region.measured);
+  script += fmt::format("set xlabel {}\nset ylabel {}\nset key top left\nset grid\n",
+                        quoted(region.sweep.parameter), quoted(region.measured));
   if (region.sweep.logarithmic) script += "set logscale x\nset format x '%g'\n";
   if (logarithmic) script += "set logscale y\nset format y '%.0e'\n";
   const double from = region.sweep.from, to = region.sweep.to;

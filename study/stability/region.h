@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,9 @@ struct Region {
   Measure error;
   Measure
       guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
-  std::vector<Quantity> also;               ///< told at the values that are shown
-  Sketch sketch, guarded_sketch;            ///< or nothing
-  double shown_holds = 0, shown_fails = 0;  ///< where sketches are drawn; both 0: the sweep's ends
+  std::vector<Quantity> also;                      ///< told at the values that are shown
+  Sketch sketch, guarded_sketch;                   ///< or nothing
+  std::optional<double> shown_holds, shown_fails;  ///< where sketches are drawn; else the ends
 };
 
 /// Whether `error` is a number and within the region's limit.
