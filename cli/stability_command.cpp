@@ -95,7 +95,11 @@ void run(const StabilityFlags& flags) {
   const std::vector<Region> regions = chosen(flags.regions);
   if (flags.resume && flags.output.empty()) throw Error("--resume needs --output, the folder");
   if (!flags.output.empty()) {
-    fs::create_directories(flags.output);
+    std::error_code failed;
+    fs::create_directories(flags.output, failed);
+    if (failed) {
+      throw Error(fmt::format("--output {}: {}; give a folder", flags.output, failed.message()));
+    }
     check_writable(fs::path(flags.output) / "index.html", "--output");
   }
   Atlas atlas = begun(flags);

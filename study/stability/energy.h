@@ -14,7 +14,8 @@ using Term = std::function<double(const Directions<double>&)>;
 
 /// The reflected share of the light that comes in `incidence` radians off the normal, below a right
 /// angle: the integral of term n.v over the hemisphere of eyes by pi n.l. A white Lambert surface
-/// has 1. Midpoints, 160 x 160 over half the hemisphere: 1e-3 for the terms here.
+/// has 1. Midpoints, 160 x 160 over half the hemisphere: 1e-3 for the
+/// terms here, 5e-3 where one is infinite at the horizon.
 double reflected_share(const Term& term, double incidence);
 
 /// The most that a term reflects, over incidences from 0 to 89 degrees.

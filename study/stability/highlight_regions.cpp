@@ -114,7 +114,7 @@ Region highlight_behind() {
   region.guarded_sketch = [](double a, int side) {
     return draw_behind(lit_from(a, Highlights::kGated), side);
   };
-  region.shown_fails = 110;
+  region.shown_fails = 160;
   return region;
 }
 
@@ -238,6 +238,7 @@ Region shininess_float() {
   region.guarded_sketch = [](double k, int side) {
     return draw(highlight_scene(Model::kPhong, k), side);
   };
+  region.shown_fails = 4e4;
   return region;
 }
 

@@ -107,7 +107,9 @@ Image draw_head_lamp(double cosine, int side, Diffuse diffuse) {
     const Vec3<float> to_eye = constant_vec<float>(v), normal = constant_vec<float>(n);
     const double seen = std::max(dot(n, v), 0.0);
     if (seen < cosine) return Vec3d{};
-    return grey(double(diffuse(Directions<float>{normal, to_eye, to_eye, float(seen)})));
+    constexpr double kExposure = 0.2;
+    return grey(kExposure *
+                double(diffuse(Directions<float>{normal, to_eye, to_eye, float(seen)})));
   });
 }
 

@@ -59,7 +59,7 @@ Region texture_seam() {
   region.sketch = [](double n, int side) { return draw(shared_seam(n), side); };
   region.guarded_sketch = [apart](double n, int side) { return draw(apart(n), side); };
   region.shown_holds = 128;
-  region.shown_fails = 16;
+  region.shown_fails = 8;
   return region;
 }
 
