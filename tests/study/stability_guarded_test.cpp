@@ -119,6 +119,42 @@ TEST(Guarded, pictures_of_every_number_of_a_material_are_numbers) {
   }
 }
 
+/// The scene with every position `moved`.
+template <class F>
+Scene with_positions(Scene scene, F moved) {
+  for (Vec3d& p : scene.mesh.positions) p = moved(p);
+  Camera& camera = scene.view.camera;
+  camera.position = moved(camera.position);
+  camera.target = moved(camera.target);
+  PointLight& light = std::get<PointLight>(scene.view.lights.front());
+  light.position = moved(light.position);
+  return scene;
+}
+
+Image drawn_fast(Scene scene) {
+  scene.view.image = {48, 48, 1};
+  Image image;
+  FastRenderer(scene, {.threads = 1}).draw(image);
+  return image;
+}
+
+TEST(Guarded, fast_pictures_are_the_same_at_every_scale) {
+  const Image plain = drawn_fast(small_scene());
+  for (const double scale : {1e-30, 1e-20, 1e-3, 7.0, 1e20, 1e30}) {
+    const Image scaled =
+        drawn_fast(with_positions(small_scene(), [&](const Vec3d& p) { return p * scale; }));
+    EXPECT_LT(rms_difference(scaled, plain), 1e-5) << scale;  // roundings of float
+  }
+}
+
+TEST(Guarded, fast_pictures_are_the_same_far_from_the_origin) {
+  const Image plain = drawn_fast(small_scene());
+  const Vec3d by{1e7, 1e7, -1e7};
+  const Image moved =
+      drawn_fast(with_positions(small_scene(), [&](const Vec3d& p) { return p + by; }));
+  EXPECT_LT(rms_difference(moved, plain), 1e-4);  // doubles near 1e7 are 2e-9 apart
+}
+
 /// A point that the eye sees on the knot, and where it does.
 Vec3d seen_point(const Scene& scene) {
   Vec3d seen;
