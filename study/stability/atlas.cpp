@@ -129,8 +129,9 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
   const Boundary& b = entry.boundary;
   std::string script = data_block("method", entry.sweep, logarithmic) +
                        data_block("remedy", entry.guarded, logarithmic);
-  script += fmt::format("set xlabel {}\nset ylabel {}\nset key top left\nset grid\n",
-                        quoted(region.sweep.parameter), quoted(region.measured));
+  script += fmt::format(
+      "set xlabel {}\nset title {} font ',10'\nset key bmargin center horizontal\nset grid\n",
+      quoted(region.sweep.parameter), quoted(region.measured));
   if (region.sweep.logarithmic) script += "set logscale x\nset format x '%g'\n";
   if (logarithmic) script += "set logscale y\nset format y '%.0e'\n";
   const double from = region.sweep.from, to = region.sweep.to;
