@@ -18,9 +18,10 @@ template <class A>
 void draw_tiny(const Oriented<A>&, const Ints<A>&, bool, const TileTarget&) {}
 
 #ifdef __AVX512F__
+// Static, since what is inline may be kept once from whichever file.
 using Lanes = xsimd::avx512bw;
 
-inline bool are_tiny(const Oriented<Lanes>& o) {
+static bool are_tiny(const Oriented<Lanes>& o) {
   const Ints<Lanes> side = xsimd::max(o.most[0] - o.least[0], o.most[1] - o.least[1]);
   return xsimd::all(side <= Ints<Lanes>(kTiny * kSubpixels));
 }
@@ -32,7 +33,7 @@ struct TinyBoxes {
   int columns, rows;  ///< of the largest
 };
 
-inline TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarget& tile) {
+static TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarget& tile) {
   using I = Ints<Lanes>;
   TinyBoxes b;
   b.x = xsimd::max(first_pixel<Lanes>(o.least[0], true), I(tile.x0));
@@ -52,7 +53,7 @@ struct TinyEdges {
   std::array<__m512i, 3> first, right, down;
 };
 
-inline TinyEdges tiny_edges(const Oriented<Lanes>& o, const TinyBoxes& b) {
+static TinyEdges tiny_edges(const Oriented<Lanes>& o, const TinyBoxes& b) {
   using I = Ints<Lanes>;
   TinyEdges e;
   const I x = (b.x << kSubpixelBits) + I(kSubpixels / 2);
@@ -76,7 +77,7 @@ struct Hits {
   alignas(64) std::int32_t words[16 * (kTiny + 1) * (kTiny + 1) + 16];  // a packet is stored whole
 };
 
-inline void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
+static void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
   std::array<__m512i, 3> row = e.first;
   for (int y = 0; y < b.rows; ++y) {
     std::array<__m512i, 3> at = row;
@@ -101,7 +102,7 @@ struct Found {
 
 /// As keep_nearest(), sample by sample; of equal depths the later triangle's stays, in whatever
 /// order they come. A function of its own for its registers.
-[[gnu::noinline]] inline void keep_found(const Found& found, std::size_t count,
+[[gnu::noinline]] static void keep_found(const Found& found, std::size_t count,
                                          std::int32_t* __restrict depths,
                                          std::int32_t* __restrict seen) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -115,7 +116,7 @@ struct Found {
   }
 }
 
-inline void store_keys(const Ints<Lanes>& depths, const Ints<Lanes>& triangles, Found& found) {
+static void store_keys(const Ints<Lanes>& depths, const Ints<Lanes>& triangles, Found& found) {
   const __m512i low = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
   const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(8));
   _mm512_store_si512(found.key, _mm512_permutex2var_epi32(triangles, low, depths));
@@ -128,7 +129,7 @@ struct TinyDepths {
   Floats<Lanes> least, most;
 };
 
-inline TinyDepths tiny_depths(const Oriented<Lanes>& o, const TinyBoxes& b) {
+static TinyDepths tiny_depths(const Oriented<Lanes>& o, const TinyBoxes& b) {
   using S = Floats<Lanes>;
   const auto from_corner = [&](const Ints<Lanes>& pixel, const Ints<Lanes>& corner) {
     const Ints<Lanes> centre = (pixel << kSubpixelBits) + Ints<Lanes>(kSubpixels / 2);
@@ -141,7 +142,7 @@ inline TinyDepths tiny_depths(const Oriented<Lanes>& o, const TinyBoxes& b) {
 }
 
 /// Draws a packet of tiny triangles, `numbers`, none of which was clipped.
-inline void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool cull,
+static void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool cull,
                       const TileTarget& tile) {
   using I = Ints<Lanes>;
   using S = Floats<Lanes>;
