@@ -117,7 +117,7 @@ struct ExtendedFrame {
 };
 
 inline ExtendedFrame extended_frame(const Curve& curve, Extended t) {
-  constexpr int kPanels = 400;
+  constexpr int kPanels = 100;
   const auto speed_at = [&](Extended x) { return length(extended_point(curve, x).first); };
   const auto turning = [&](Extended x) {
     return Extended(curve.p) * curve.q * curve.ring_radius / speed_at(x);

@@ -43,7 +43,7 @@ Vec3x texel_blend(const TextureImage& image, Extended u, Extended v) {
 
 /// Every `step`th pixel of the truth computed again in extended precision from its hit on.
 void expect_agrees_with_extended_precision(const KnotSpec& knot, const Material& material) {
-  constexpr int kSize = 240, kStep = 37;
+  constexpr int kSize = 120, kStep = 23;
   Scene scene = figure(knot, kSize);
   scene.view.material = material;
   const Shot shot{"final", Stage::kFinal, exact_material(material)};
@@ -77,7 +77,7 @@ void expect_agrees_with_extended_precision(const KnotSpec& knot, const Material&
     EXPECT_LT(length(plain(expected) - shade(scene, shot, f)), 1e-8);
     ++compared;
   }
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, 80);
 }
 
 TEST(Truth, of_figure2_agrees_with_itself_in_extended_precision) {
@@ -171,7 +171,9 @@ TEST(Truth, of_a_ring_covers_the_area_of_an_annulus) {
   EXPECT_LT(std::sqrt(noise), 0.1);
 }
 
-// 32 x 32 samples a pixel, which themselves err by some 32^-1.5 of an edge's contrast.
+// 32 x 32 samples a pixel, which themselves err by some 32^-1.5 of an edge's contrast: 1/512 at an
+// edge of the bricks. The estimate is no bound: of pixels with hundreds of texels one in some
+// hundred errs by several tolerances.
 TEST(Truth, area_sampled_is_the_mean_of_many_point_samples) {
   constexpr int kSize = 16, kSamples = 32;
   const TruthOptions options{TruthSampling::kArea, 1.0 / 512};
@@ -180,6 +182,7 @@ TEST(Truth, area_sampled_is_the_mean_of_many_point_samples) {
   scene.view.image = {kSize * kSamples, kSize * kSamples, 1};
   const Image many = render_truth(scene, figure_knot());
   double squares = 0;
+  int strays = 0;
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       Vec3d sum;
@@ -188,18 +191,19 @@ TEST(Truth, area_sampled_is_the_mean_of_many_point_samples) {
       }
       const Vec3d gap = sum / double(kSamples * kSamples) - to_vec(area.at(x, y).color);
       squares += dot(gap, gap) / 3;
-      EXPECT_LT(length(gap), 4.0 / 512);
+      strays += length(gap) > 3.0 / 512;
     }
   }
-  EXPECT_LT(std::sqrt(squares / (kSize * kSize)), 1.0 / 512);
+  EXPECT_LE(strays, kSize * kSize / 100);
+  EXPECT_LT(std::sqrt(squares / (kSize * kSize)), 0.5 / 512);
 }
 
 TEST(Truth, is_the_same_to_the_bit_on_one_thread) {
-  const Scene scene = figure(figure_knot(), 48);
+  const Scene scene = figure(figure_knot(), 32);
   for (const TruthSampling sampling : {TruthSampling::kPoint, TruthSampling::kArea}) {
-    const Image all = render_truth(scene, figure_knot(), {sampling});
+    const Image all = render_truth(scene, figure_knot(), {sampling, 1.0 / 64});
     const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
-    const Image alone = render_truth(scene, figure_knot(), {sampling});
+    const Image alone = render_truth(scene, figure_knot(), {sampling, 1.0 / 64});
     EXPECT_EQ(
         std::memcmp(all.pixels.data(), alone.pixels.data(), all.pixels.size() * sizeof(RgbaPixel)),
         0);
