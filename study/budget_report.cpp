@@ -36,9 +36,7 @@ std::string budget_text(const ErrorBudget& budget) {
   text += fmt::format("  {:<22}{:>11}{:>11}   {}\n", "stage", "rmse", "max", "its exact form");
   for (const BudgetPart& part : budget.parts) text += line(part);
   text += line(budget.whole) + line(budget.left);
-  text += fmt::format("  {:.1f} % of the whole is left over; ", 100 * budget.share_left());
-  text += fmt::format("of the geometry and colour at pixel centres, {:.2e}, {:.1f} %\n",
-                      budget.centre, 100 * budget.centre_share_left());
+  text += fmt::format("  {:.1f} % of the whole is left over\n", 100 * budget.share_left());
   return text +
          fmt::format("  the truth's own error is estimated to be {:.1e}\n", budget.truth_error);
 }
@@ -46,14 +44,10 @@ std::string budget_text(const ErrorBudget& budget) {
 std::string budget_json(const ErrorBudget& budget) {
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
   for (const BudgetPart& part : budget.parts) parts.push_back(to_json(part));
-  const nlohmann::ordered_json json{{"pixels", budget.pixels},
-                                    {"parts", parts},
-                                    {"whole", to_json(budget.whole)},
-                                    {"left_over", to_json(budget.left)},
-                                    {"share_left", budget.share_left()},
-                                    {"centre", budget.centre},
-                                    {"centre_share_left", budget.centre_share_left()},
-                                    {"truth_error", budget.truth_error}};
+  const nlohmann::ordered_json json{
+      {"pixels", budget.pixels},           {"parts", parts},
+      {"whole", to_json(budget.whole)},    {"left_over", to_json(budget.left)},
+      {"share_left", budget.share_left()}, {"truth_error", budget.truth_error}};
   return json.dump(2) + "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "render/exact_pixels.h"
 #include "render/fast_renderer.h"
 #include "render/shading.h"
 #include "render/texture.h"
@@ -45,20 +46,61 @@ Fragment with_normal(Fragment seen, const Vec3d& normal) {
   return seen;
 }
 
-/// The method's picture in double, and the same with one stage exact.
-struct Pictures {
-  ErrorMap method, tessellation, normal, unit, space, filter, sampling, centre;
+/// A picture with each stage swapped alone.
+struct Swapped {
+  ErrorMap plain, tessellation, normal, unit, space, filter, sampling;
 
-  Pictures(int width, int height)
-      : method(width, height),
+  Swapped(int width, int height)
+      : plain(width, height),
         tessellation(width, height),
         normal(width, height),
         unit(width, height),
         space(width, height),
         filter(width, height),
-        sampling(width, height),
-        centre(width, height) {}
+        sampling(width, height) {}
 };
+
+/// The method in double with one stage exact, and the truth with one stage as the method has it.
+struct Pictures {
+  Swapped method, truth;
+};
+
+/// Whether two fragments lie near each other on one sheet of the surface.
+bool same_sheet(const Fragment& a, const Fragment& b) {
+  return a.covered() && b.covered() && dot(a.normal, b.normal) > 0.5 &&
+         length(a.position - b.position) < 0.05 * a.depth;
+}
+
+/// Means over a pixel's samples.
+struct PixelMeans {
+  Vec3d color;          ///< all as the samples have it
+  Vec3d centre_colour;  ///< the texture as the centre has it, on the centre's sheet
+  Vec3d texture;        ///< over the centre's sheet
+};
+
+PixelMeans means_of(const Painter& painter, const Fragment& centre,
+                    const std::vector<Fragment>& samples) {
+  PixelMeans means;
+  const Vec3d at_centre = centre.covered() ? painter.texture(centre) : Vec3d{};
+  int on_sheet = 0;
+  for (const Fragment& sample : samples) {
+    if (!sample.covered()) continue;
+    const Vec3d own = painter.texture(sample), color = painter.color(sample, own);
+    const bool on = same_sheet(centre, sample);
+    if (on) means.texture = means.texture + own, ++on_sheet;
+    means.color = means.color + color;
+    means.centre_colour = means.centre_colour + (on ? painter.color(sample, at_centre) : color);
+  }
+  const double count = double(samples.size());
+  return {means.color / count, means.centre_colour / count,
+          on_sheet > 0 ? means.texture / double(on_sheet) : at_centre};
+}
+
+Vec3d mean_color(const Painter& painter, const std::vector<Fragment>& samples) {
+  Vec3d sum;
+  for (const Fragment& sample : samples) sum = sum + painter.color(sample);
+  return sum / double(samples.size());
+}
 
 class Swaps {
  public:
@@ -70,12 +112,12 @@ class Swaps {
         unit_(scene, with_unit(scene.view.material)),
         exact_space_(scene, in_exact_space(scene.view.material)),
         exact_(scene, in_exact_space(with_unit(scene.view.material))),
-        exact_seen_(exact_fragments(scene, knot)),
+        pixels_(scene, knot),
         mesh_seen_(visible_fragments(scene)) {}
 
   Pictures draw(const Progress& progress) const {
     const ImageSpec& image = scene_.view.image;
-    Pictures pictures(image.width, image.height);
+    Pictures pictures{Swapped(image.width, image.height), Swapped(image.width, image.height)};
     const int n = samples_;
     const Rasterizer rasterizer(scene_.mesh, scene_.view.camera, image.width * n, image.height * n,
                                 n);
@@ -84,8 +126,9 @@ class Swaps {
     oneapi::tbb::parallel_for(0, image.height, [&](int y) {
       const Grid<Fragment> band = rasterizer.band(y);
       for (int x = 0; x < image.width; ++x) {
-        swap_at_centre(x, y, pictures);
-        swap_means(x, y, band, pictures);
+        const ExactFragment exact = pixels_.at(x + 0.5, y + 0.5);
+        swap_in_method(x, y, exact, mesh_samples(x, band), pictures.method);
+        swap_in_truth(x, y, exact.fragment, mesh_samples(x, band), pictures.truth);
       }
       if (!progress) return;
       const std::lock_guard lock(reporting);
@@ -100,52 +143,69 @@ class Swaps {
     return material;
   }
 
-  void swap_at_centre(int x, int y, Pictures& pictures) const {
-    const Fragment& seen = mesh_seen_.at(x, y);
-    const ExactFragment& exact = exact_seen_.at(x, y);
-    pictures.method.at(x, y) = as_is_.color(seen);
-    pictures.unit.at(x, y) = unit_.color(seen);
-    pictures.space.at(x, y) = exact_space_.color(seen);
-    pictures.tessellation.at(x, y) = as_is_.color(grid_.of_tube(exact).seen);
-    pictures.centre.at(x, y) = exact_.color(exact.fragment);
-    if (!seen.covered()) return;
-    // Its direction alone: the length is a stage of its own.
-    const Vec3d normal = grid_.exact_normal(grid_.of_mesh(seen)) * length(seen.normal);
-    pictures.normal.at(x, y) = as_is_.color(with_normal(seen, normal));
-  }
-
-  /// Whether two fragments lie near each other on one sheet of the surface.
-  bool same_sheet(const Fragment& a, const Fragment& b) const {
-    return dot(a.normal, b.normal) > 0.5 && std::abs(a.depth - b.depth) < 0.05 * a.depth &&
-           length(a.position - b.position) < 0.05 * a.depth;
-  }
-
-  /// The texture's mean over the centre's sheet, light at the centre; and the light's and the
-  /// coverage's mean, the texture as the centre has it on its sheet.
-  void swap_means(int x, int y, const Grid<Fragment>& band, Pictures& pictures) const {
-    const int n = samples_;
-    const Fragment& centre = mesh_seen_.at(x, y);
-    const Vec3d texture = centre.covered() ? as_is_.texture(centre) : Vec3d{};
-    Vec3d texture_sum, color_sum;
-    int on_sheet = 0;
-    for (int s = 0; s < n * n; ++s) {
-      const Fragment& sample = band.at(x * n + s % n, s / n);
-      if (!sample.covered()) continue;
-      const Vec3d own = as_is_.texture(sample);
-      const bool on = centre.covered() && same_sheet(centre, sample);
-      if (on) texture_sum = texture_sum + own, ++on_sheet;
-      color_sum = color_sum + as_is_.color(sample, on ? texture : own);
+  std::vector<Fragment> mesh_samples(int x, const Grid<Fragment>& band) const {
+    std::vector<Fragment> samples;
+    for (int s = 0; s < samples_ * samples_; ++s) {
+      samples.push_back(band.at(x * samples_ + s % samples_, s / samples_));
     }
-    const Vec3d mean = on_sheet ? texture_sum / double(on_sheet) : texture;
-    pictures.filter.at(x, y) = as_is_.color(centre, mean);
-    pictures.sampling.at(x, y) = color_sum / (double(n) * n);
+    return samples;
+  }
+
+  std::vector<ExactFragment> exact_samples(int x, int y) const {
+    std::vector<ExactFragment> samples;
+    for (int s = 0; s < samples_ * samples_; ++s) {
+      samples.push_back(
+          pixels_.at(x + (s % samples_ + 0.5) / samples_, y + (s / samples_ + 0.5) / samples_));
+    }
+    return samples;
+  }
+
+  /// The mesh's fragment with the tube's normal.
+  Fragment with_exact_normal(const Fragment& seen) const {
+    return seen.covered() ? with_normal(seen, grid_.exact_normal(grid_.of_mesh(seen))) : seen;
+  }
+
+  void swap_in_method(int x, int y, const ExactFragment& exact,
+                      const std::vector<Fragment>& samples, Swapped& method) const {
+    const Fragment& seen = mesh_seen_.at(x, y);
+    method.plain.at(x, y) = as_is_.color(seen);
+    method.tessellation.at(x, y) = as_is_.color(grid_.of_tube(exact).seen);
+    method.unit.at(x, y) = unit_.color(seen);
+    method.space.at(x, y) = exact_space_.color(seen);
+    const PixelMeans means = means_of(as_is_, seen, samples);
+    method.filter.at(x, y) = as_is_.color(seen, means.texture);
+    method.sampling.at(x, y) = means.centre_colour;
+    // Its direction alone: the length is a stage of its own.
+    const Fragment turned = with_exact_normal(seen);
+    method.normal.at(x, y) = as_is_.color(with_normal(turned, turned.normal * length(seen.normal)));
+  }
+
+  void swap_in_truth(int x, int y, const Fragment& centre, const std::vector<Fragment>& on_mesh,
+                     Swapped& truth) const {
+    std::vector<Fragment> samples, interpolated, shortened, meshed;
+    for (const ExactFragment& sample : exact_samples(x, y)) {
+      const Fragment &seen = sample.fragment, between = grid_.of_tube(sample).seen;
+      samples.push_back(seen);
+      interpolated.push_back(between);
+      shortened.push_back(with_normal(seen, seen.normal * length(between.normal)));
+    }
+    for (const Fragment& sample : on_mesh) meshed.push_back(with_exact_normal(sample));
+    const PixelMeans means = means_of(exact_, centre, samples);
+    truth.plain.at(x, y) = means.color;
+    truth.tessellation.at(x, y) = mean_color(exact_, meshed);
+    truth.normal.at(x, y) = mean_color(exact_, interpolated);
+    const bool short_normals = scene_.view.material.normal == NormalUse::kInterpolated;
+    truth.unit.at(x, y) = short_normals ? mean_color(exact_space_, shortened) : means.color;
+    truth.space.at(x, y) = mean_color(unit_, samples);
+    truth.filter.at(x, y) = means.centre_colour;
+    truth.sampling.at(x, y) = exact_.color(centre, means.texture);
   }
 
   const Scene& scene_;
   int samples_;
   KnotGrid grid_;
   Painter as_is_, unit_, exact_space_, exact_;
-  Grid<ExactFragment> exact_seen_;
+  ExactPixels pixels_;
   Grid<Fragment> mesh_seen_;
 };
 
@@ -232,7 +292,17 @@ double root_mean_square(const Grid<float>& values, long long count) {
   return std::sqrt(sum / double(count));
 }
 
-/// `whole` minus each of `maps`.
+/// What a stage changes: the mean of its change in the method and in the truth.
+ErrorMap mean_change(const Pictures& p, ErrorMap Swapped::*stage) {
+  ErrorMap change = minus(p.method.plain, p.method.*stage);
+  const ErrorMap in_truth = minus(p.truth.*stage, p.truth.plain);
+  for (std::size_t i = 0; i < change.pixels.size(); ++i) {
+    change.pixels[i] = (change.pixels[i] + in_truth.pixels[i]) / 2.0;
+  }
+  return change;
+}
+
+/// `whole` minus the map of each part.
 ErrorMap remainder_of(ErrorMap whole, const std::vector<BudgetPart>& parts) {
   for (const BudgetPart& part : parts) whole = minus(std::move(whole), part.map);
   return whole;
@@ -250,28 +320,28 @@ ErrorBudget error_budget(const Scene& scene, const KnotSpec& knot, const BudgetO
   Scene exact{{}, scene.texture, scene.view};
   exact.view.material = in_exact_space(scene.view.material);
   const Truth truth =
-      draw_truth(exact, knot, {TruthSampling::kArea, options.tolerance}, share(0, 0.7));
-  const Pictures swapped = Swaps(scene, knot, options.samples).draw(share(0.7, 1));
+      draw_truth(exact, knot, {TruthSampling::kArea, options.tolerance}, share(0, 0.5));
+  const Pictures swapped = Swaps(scene, knot, options.samples).draw(share(0.5, 1));
   const FastPictures fast = draw_fast(scene);
   const ErrorMap floats = colors_of(fast.floats), bytes = colors_of(fast.bytes);
   const Covered covered(fast.floats, truth.image);
   if (covered.count() == 0) throw Error("no pixel shows the knot; move the camera");
 
-  const ErrorMap& method = swapped.method;
+  const ErrorMap& method = swapped.method.plain;
   ErrorBudget budget;
   budget.pixels = covered.count();
   const auto add = [&](const char* name, const char* form, ErrorMap map) {
     budget.parts.push_back(covered.part(name, form, std::move(map)));
   };
-  add("tessellation", "the exact tube", minus(method, swapped.tessellation));
-  add("normal interpolation", "the tube's normal", minus(method, swapped.normal));
-  add("unnormalised normal", "a unit normal", minus(method, swapped.unit));
-  add("colour space", "T + (Y_F - Y_T)", minus(method, swapped.space));
-  const ErrorMap geometry = minus(method, swapped.centre);
-  budget.centre = covered.part("", "", geometry).rmse;
-  budget.centre_left = covered.part("", "", remainder_of(geometry, budget.parts)).rmse;
-  add("texture filter", "the texture's mean over the pixel", minus(method, swapped.filter));
-  add("sampling", "coverage's and light's mean over the pixel", minus(method, swapped.sampling));
+  const auto add_swapped = [&](const char* name, const char* form, ErrorMap Swapped::*stage) {
+    add(name, form, mean_change(swapped, stage));
+  };
+  add_swapped("tessellation", "the exact tube", &Swapped::tessellation);
+  add_swapped("normal interpolation", "the tube's normal", &Swapped::normal);
+  add_swapped("unnormalised normal", "a unit normal", &Swapped::unit);
+  add_swapped("colour space", "T + (Y_F - Y_T)", &Swapped::space);
+  add_swapped("texture filter", "the texture's mean over the pixel", &Swapped::filter);
+  add_swapped("sampling", "coverage's and light's mean over the pixel", &Swapped::sampling);
   add("shading arithmetic", "double", minus(floats, method));
   add("clamp", "colours beyond [0, 1]", minus(limited(floats), floats));
   add("quantisation", "no steps of 1/255", minus(bytes, limited(floats)));
