@@ -114,10 +114,14 @@ TEST(TubeRays, tangency_is_decided_down_to_rounding_and_owned_up_to_there) {
     }
     EXPECT_FALSE(ring.all({{1.4 + side * 0.25, 0, 3}, {0, 0, -1}}).decided);
   }
-  // In the ring's plane, where the surface is saddle-shaped: through the hole or past it.
-  for (const double e : {1e-3, 1e-6, 1e-9}) {
-    EXPECT_EQ(ring.all({{1.15 + e, 3, 0}, {0, -1, 0}}).hits.size(), 2u);
-    EXPECT_EQ(ring.all({{1.15 - e, 3, 0}, {0, -1, 0}}).hits.size(), 4u);
+  // In the ring's plane, where the surface is saddle-shaped: through the hole or past it, from
+  // several sides.
+  for (const double angle : {0.0, 0.03, 1.0}) {
+    const Vec3d out{std::cos(angle), std::sin(angle), 0}, along{-out.y, out.x, 0};
+    for (const double e : {1e-3, 1e-6, 1e-9}) {
+      EXPECT_EQ(ring.all({out * (1.15 + e) + along * 3.0, -along}).hits.size(), 2u);
+      EXPECT_EQ(ring.all({out * (1.15 - e) + along * 3.0, -along}).hits.size(), 4u);
+    }
   }
 }
 
