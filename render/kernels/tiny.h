@@ -50,7 +50,7 @@ static TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarge
 /// The complements of edge functions, negative inside: at the boxes' first pixels, and how they
 /// grow a pixel. Zero where nothing is drawn.
 struct TinyEdges {
-  std::array<__m512i, 3> first, right, down;
+  __m512i first[3], right[3], down[3];
 };
 
 static TinyEdges tiny_edges(const Oriented<Lanes>& o, const TinyBoxes& b) {
@@ -78,9 +78,9 @@ struct Hits {
 };
 
 static void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
-  std::array<__m512i, 3> row = e.first;
+  __m512i row[3] = {e.first[0], e.first[1], e.first[2]};
   for (int y = 0; y < b.rows; ++y) {
-    std::array<__m512i, 3> at = row;
+    __m512i at[3] = {row[0], row[1], row[2]};
     __m512i word = _mm512_add_epi32(lane_numbers<Lanes>(), _mm512_set1_epi32(256 * y));
     for (int x = 0; x < b.columns; ++x) {
       const __mmask16 inside =
