@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ostream>
 #include <set>
 
 #include "study/stability/regions.h"
@@ -16,6 +17,9 @@ struct Sides {
   const char* region;
   double holds, fails;
 };
+
+/// So that tests are listed by names and not by bytes.
+void PrintTo(const Sides& sides, std::ostream* out) { *out << sides.region; }
 
 constexpr double kWhatFloatSquares = 1.8447e19;  // the root of its largest number
 
