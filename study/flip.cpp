@@ -129,8 +129,8 @@ Vec3<float> relative_xyz(const Rgb& c) {
 }
 
 Opponent opponent(const Image& image) {
-  Opponent result{{image.width, image.height}, {image.width, image.height},
-                  {image.width, image.height}};
+  Opponent result{
+      {image.width, image.height}, {image.width, image.height}, {image.width, image.height}};
   each_row(result.y, [&](int row) {
     Rgb last;
     Vec3<float> xyz = relative_xyz(last);  // kept, since backgrounds are one colour

@@ -1,5 +1,5 @@
-/// FLIP, the difference that a viewer sees when two images take turns: P. Andersson et al., "FLIP: A
-/// Difference Evaluator for Alternating Images", HPG 2020, for images of low dynamic range.
+/// FLIP, the difference that a viewer sees when two images take turns: P. Andersson et al., "FLIP:
+/// A Difference Evaluator for Alternating Images", HPG 2020, for images of low dynamic range.
 #pragma once
 
 #include "scene/image.h"
@@ -12,8 +12,8 @@ inline constexpr double kFlipPixelsPerDegree = 67.0206432765823;
 
 /// What FLIP compares of an image: made once for each.
 struct FlipImage {
-  Grid<Lab<float>> colors;      ///< as the eye resolves them, Hunt-adjusted
-  Grid<float> edges, points;    ///< how strong features are
+  Grid<Lab<float>> colors;    ///< as the eye resolves them, Hunt-adjusted
+  Grid<float> edges, points;  ///< how strong features are
   double pixels_per_degree = 0;
 };
 

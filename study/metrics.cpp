@@ -50,8 +50,7 @@ SeenImage seen(Image image) {
   Grid<Lab<double>> colors(image.width, image.height);
   oneapi::tbb::parallel_for(std::size_t{0}, image.pixels.size(), [&](std::size_t i) {
     if (image.pixels[i].coverage == 0) return;  // black, as the grid was made
-    colors.pixels[i] =
-        lab_from_xyz<double>(xyz_from_rgb<double>(to_vec(image.pixels[i].color)));
+    colors.pixels[i] = lab_from_xyz<double>(xyz_from_rgb<double>(to_vec(image.pixels[i].color)));
   });
   FlipImage flip = flip_image(image);
   return {std::move(image), std::move(colors), std::move(flip)};

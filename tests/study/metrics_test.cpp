@@ -16,8 +16,7 @@ Image plain(float r, float g, float b, float coverage = 1) {
 TEST(Metrics, equal_images_have_no_error) {
   const SeenImage image = seen(plain(0.2f, 0.5f, 0.7f));
   const Errors e = errors_between(image, image);
-  for (const double x :
-       {e.rmse, e.max, e.p999, e.delta_e, e.delta_e_max, e.delta_e_p999, e.flip}) {
+  for (const double x : {e.rmse, e.max, e.p999, e.delta_e, e.delta_e_max, e.delta_e_p999, e.flip}) {
     EXPECT_EQ(x, 0);
   }
 }
