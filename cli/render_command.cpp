@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
@@ -11,7 +13,9 @@
 #include "exporters/image_file.h"
 #include "render/fast_renderer.h"
 #include "render/render.h"
+#include "render/truth.h"
 #include "scene/atomic_file.h"
+#include "scene/error.h"
 
 namespace lumaknot {
 namespace {
@@ -19,19 +23,44 @@ namespace {
 struct RenderFlags {
   std::string scene = "figure2", output;
   bool fast = false;
+  std::string truth;
+  TruthOptions truth_options;
   std::string filter = "bilinear", wrap = "repeat";
   FastOptions options;
   Output out;
 };
 
-Image draw(const Scene& scene, const RenderFlags& flags) {
-  if (!flags.fast) return render(scene, progress_bar(flags.out, "render"));
+/// The knot whose exact surface is asked for.
+KnotSpec exact_knot(const MeshSpec& mesh) {
+  if (const auto* knot = std::get_if<KnotSpec>(&mesh)) return *knot;
+  throw Error("--truth needs mesh.knot: a mesh file has no exact surface; leave out --truth");
+}
+
+/// A drawn image and, of the truth, the largest error that it tells of itself.
+struct Drawn {
+  Image image;
+  std::optional<double> error;
+};
+
+Drawn draw_truth(const SceneInput& input, const RenderFlags& flags) {
+  const KnotSpec knot = exact_knot(input.spec.mesh);
+  const Scene scene{{}, load_texture(input), input.spec.view};
+  TruthOptions options = flags.truth_options;
+  options.sampling = flags.truth == "area" ? TruthSampling::kArea : TruthSampling::kPoint;
+  Truth truth = draw_truth(scene, knot, options, progress_bar(flags.out, "render"));
+  return {std::move(truth.image), std::ranges::max(truth.error.pixels)};
+}
+
+Drawn draw(const SceneInput& input, const RenderFlags& flags) {
+  if (!flags.truth.empty()) return draw_truth(input, flags);
+  const Scene scene = load_scene(input);
+  if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};
   FastOptions options = flags.options;
   options.filter = flags.filter == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   options.wrapping = flags.wrap == "clamp" ? Wrapping::kClamp : Wrapping::kRepeat;
   Image image;
   FastRenderer(scene, options).draw(image);
-  return image;
+  return {std::move(image), {}};
 }
 
 void add_fast_flags(CLI::App& command, RenderFlags& flags) {
@@ -60,19 +89,38 @@ void add_fast_flags(CLI::App& command, RenderFlags& flags) {
       ->needs(fast);
 }
 
+void add_truth_flags(CLI::App& command, RenderFlags& flags) {
+  CLI::Option* truth =
+      command
+          .add_option("--truth", flags.truth,
+                      "draw the exact tube in place of its mesh: point, each pixel's centre; area, "
+                      "the mean over each pixel")
+          ->expected(0, 1)
+          ->default_str("point")
+          ->check(CLI::IsMember({"point", "area"}))
+          ->excludes("--fast");
+  command
+      .add_option("--tolerance", flags.truth_options.tolerance,
+                  "of --truth area: a pixel's error, as estimated")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0))
+      ->needs(truth);
+}
+
 void run(const RenderFlags& flags) {
   check_image_extension(flags.output, "--output");
   check_writable(flags.output, "--output");
-  const Scene scene = load_scene(read_scene(flags.scene));
+  const SceneInput input = read_scene(flags.scene);
   const auto start = std::chrono::steady_clock::now();
-  const Image image = draw(scene, flags);
+  const auto [image, error] = draw(input, flags);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   write_image(flags.output, image, "--output");
   if (flags.out.json) {
-    const nlohmann::ordered_json json{{"output", flags.output},
-                                      {"width", image.width},
-                                      {"height", image.height},
-                                      {"seconds", seconds.count()}};
+    nlohmann::ordered_json json{{"output", flags.output},
+                                {"width", image.width},
+                                {"height", image.height},
+                                {"seconds", seconds.count()}};
+    if (error) json["largest_error"] = *error;
     fmt::print("{}\n", json.dump(2));
   }
   flags.out.say(fmt::format("{}: {} x {}, {:.2f} s", flags.output, image.width, image.height,
@@ -89,12 +137,15 @@ void add_render_command(CLI::App& program) {
   command->add_option("-o,--output", flags->output, "the image: .exr (float) or .png (16 bits)")
       ->required();
   add_fast_flags(*command, *flags);
+  add_truth_flags(*command, *flags);
   add_output_flags(*command, flags->out);
   command->footer(
       "Examples:\n"
       "  lumaknot render scene.json -o knot.exr\n"
       "  lumaknot render figure1-back -o back.png\n"
-      "  lumaknot render figure2 --fast --multisample 8 --filter trilinear -o fast.png");
+      "  lumaknot render figure2 --fast --multisample 8 --filter trilinear -o fast.png\n"
+      "  lumaknot render figure2 --truth -o truth.exr\n"
+      "  lumaknot render figure2 --truth area -o smooth.exr");
   command->callback([flags] { run(*flags); });
 }
 

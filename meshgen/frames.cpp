@@ -123,6 +123,13 @@ std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule,
   return frames;
 }
 
+Frame frame_at(const Spine& spine, FrameRule rule, double t) {
+  if (rule == FrameRule::kRotationMinimizing || rule == FrameRule::kDoubleReflection) {
+    return spine.frame(t);
+  }
+  return frame_by(rule, spine.curve(), turn_of(spine.curve(), t));
+}
+
 double twist(const std::vector<Frame>& frames) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) {

@@ -19,6 +19,10 @@ namespace lumaknot {
 std::vector<Frame> ring_frames(const Spine& spine, FrameRule rule,
                                std::span<const double> arc_lengths);
 
+/// The frame of `rule` at the parameter t, in radians, which the rings approach as they become
+/// closer; kDoubleReflection's is the exact frame. Not a number where the rule leaves it undefined.
+Frame frame_at(const Spine& spine, FrameRule rule, double t);
+
 /// The angle by which frames turn about the centre line from the first to the last, against one
 /// that twists least, in radians. Steps must be small: each is taken to be less than half a turn.
 double twist(const std::vector<Frame>& frames);

@@ -5,57 +5,13 @@
 #include <algorithm>
 #include <mutex>
 
-#include "render/texture.h"
+#include "render/shading.h"
 #include "shaders/lighting.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr int kBandHeight = 16;  // rows of pixels handed to a thread at once
-
-/// A shot ready to be computed at any number of fragments.
-class Shading {
- public:
-  Shading(const Scene& scene, const Shot& shot)
-      : scene_(scene),
-        shot_(shot),
-        lighting_(lighting_of<double>(scene.view, shot.material)),
-        needs_texture_(shot.stage == Stage::kTexture || shot.stage == Stage::kFinal) {}
-
-  Vec3d color(const Fragment& fragment) const {
-    if (!fragment.covered()) return {};
-    Vec3d texture;
-    if (needs_texture_) {
-      texture = texture_value(texture_color(scene_.texture, fragment.uv), shot_.material);
-    }
-    if (shot_.stage == Stage::kTexture) return stage_color(texture, {}, lighting_, shot_);
-    const bool at_vertices = shot_.material.rate == Rate::kVertex;
-    const Terms<double> terms =
-        at_vertices ? interpolated_terms(fragment) : terms_at({fragment.position, fragment.normal});
-    return stage_color(texture, terms, lighting_, shot_);
-  }
-
- private:
-  Terms<double> terms_at(const SurfacePoint<double>& point) const {
-    return surface_terms(point, lighting_.eye_position, lighting_.lights, lighting_.model,
-                         shot_.material);
-  }
-  Terms<double> interpolated_terms(const Fragment& fragment) const {
-    Terms<double> sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = scene_.mesh.triangles[std::size_t(fragment.triangle)][i];
-      const Terms<double> corner = terms_at({scene_.mesh.positions[v], scene_.mesh.normals[v]});
-      sum.diffuse = sum.diffuse + corner.diffuse * fragment.weights[i];
-      sum.specular = sum.specular + corner.specular * fragment.weights[i];
-    }
-    return sum;
-  }
-
-  const Scene& scene_;
-  const Shot& shot_;
-  Lighting<double> lighting_;
-  bool needs_texture_;
-};
 
 /// Averages each n x n block of shaded fragments into rows of `image` from `row` on.
 void resolve(const Shading& shading, int n, const Grid<Fragment>& band, int row, Image& image) {

@@ -1,0 +1,60 @@
+/// Pixels of the exact tube's image: at a point, and as means over their squares.
+#pragma once
+
+#include <vector>
+
+#include "render/exact_tube.h"
+#include "render/shading.h"
+
+namespace lumaknot {
+
+/// A colour and what of it is covered.
+struct Sample {
+  Vec3d color;
+  double coverage = 0;
+
+  friend Sample operator+(const Sample& a, const Sample& b) {
+    return {a.color + b.color, a.coverage + b.coverage};
+  }
+  friend Sample operator-(const Sample& a, const Sample& b) {
+    return {a.color - b.color, a.coverage - b.coverage};
+  }
+  friend Sample operator*(const Sample& a, double s) { return {a.color * s, a.coverage * s}; }
+};
+
+/// The exact tube through a scene's camera, lit by its lights; keeps the scene by reference.
+class ExactPixels {
+ public:
+  ExactPixels(const Scene& scene, const KnotSpec& knot);
+
+  /// What the image point (x, y) sees, in pixels from the top left.
+  ExactFragment at(double x, double y) const;
+
+  Sample sample(const Fragment& seen) const {
+    return {shading_.color(seen), seen.covered() ? 1.0 : 0.0};
+  }
+
+ private:
+  ExactTube tube_;
+  Projection projection_;
+  Vec3d eye_;
+  double near_;
+  Shot shot_;
+  Shading shading_;
+};
+
+/// A pixel and its error: estimated, of the channel that errs most, coverage included.
+struct PixelTruth {
+  Sample sample;
+  double error = 0;
+};
+
+/// The means over the pixels (0, y) to (width - 1, y), their estimated errors at most `tolerance`.
+///
+/// The square with the largest estimated error is quartered until the sum is within the tolerance.
+/// Rays go to a grid of half pixels and to one point beside it; where these show one smooth piece
+/// of the surface, samples are taken of the biquadratic surface through the grid's nine points, and
+/// elsewhere along rays of their own.
+std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, double tolerance);
+
+}  // namespace lumaknot
