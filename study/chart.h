@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> kTruthNames{"point", "area"};
 /// One number of Errors.
 struct Metric {
   std::string_view name, about;
-  double Errors::* value;
+  double Errors::*value;
 };
 
 /// rmse, p99.9, max, deltae, deltae-p99.9, deltae-max, flip.
@@ -34,8 +34,8 @@ std::span<const Metric> chart_metrics();
 /// One method, or another program's way, with what was measured of it.
 struct ChartPoint {
   std::string name;
-  std::optional<Method> method;  ///< none: another program
-  std::string how;               ///< what is particular to another program's time
+  std::optional<Method> method;                 ///< none: another program
+  std::string how;                              ///< what is particular to another program's time
   std::array<std::optional<Errors>, 2> errors;  ///< by kTruthNames; none from what it is not to hit
   /// Of each round: a frame's time over that of the baseline's frame beside it, and itself.
   std::vector<double> ratios, milliseconds;
@@ -49,8 +49,8 @@ struct MissingPoint {
 struct Chart {
   std::string scene_key, program_key;  ///< of what was measured: other keys, other chart
   int width = 0, height = 0;
-  std::string truth;     ///< what errors are from
-  std::string baseline;  ///< the method that times are taken beside
+  std::string truth;               ///< what errors are from
+  std::string baseline;            ///< the method that times are taken beside
   std::vector<ChartPoint> points;  ///< methods first
   std::vector<MissingPoint> missing;
   bool complete = false;
@@ -81,8 +81,9 @@ struct ChartJob {
 };
 
 /// Measures what `folder` does not yet hold, and keeps each result there at once: chart.json, and
-/// truth-SPACE-point.exr and -area.exr. `told` gets a line when what it holds is of another scene or
-/// program, and is measured anew. Throws Interrupted, after which the same call goes on, and Error.
+/// truth-SPACE-point.exr and -area.exr. `told` gets a line when what it holds is of another scene
+/// or program, and is measured anew. Throws Interrupted, after which the same call goes on, and
+/// Error.
 Chart measure_chart(const ChartJob& job, const std::filesystem::path& folder,
                     const Progress& progress, const std::function<void(const std::string&)>& told);
 

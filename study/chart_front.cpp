@@ -34,12 +34,10 @@ std::optional<Spread> frame_time(const Chart& chart, const ChartPoint& point) {
   if (baseline == chart.points.end() || baseline->milliseconds.empty()) return std::nullopt;
   const double milliseconds = median(baseline->milliseconds);
   const Spread ratio = spread_of(point.ratios);
-  return Spread{ratio.median * milliseconds, ratio.least * milliseconds,
-                ratio.most * milliseconds};
+  return Spread{ratio.median * milliseconds, ratio.least * milliseconds, ratio.most * milliseconds};
 }
 
-std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric,
-                                      std::size_t truth) {
+std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, std::size_t truth) {
   const std::vector<Candidate> all = by_error(chart, metric, truth);
   std::vector<std::size_t> front;
   double fastest = std::numeric_limits<double>::infinity();  // of all with smaller errors

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFlag = "--output";
 constexpr double kSlow = 60;  // milliseconds: frames so slow are few, and far from any other
 constexpr std::size_t kSlowRounds = 3;
-constexpr int kFrames = 3;             // of each round
-constexpr int kMeshSamples = 8;        // a side, of the area truth of a mesh file
+constexpr int kFrames = 3;       // of each round
+constexpr int kMeshSamples = 8;  // a side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
 
 double milliseconds_of(MethodRenderer& renderer) {
@@ -89,11 +89,11 @@ class Measuring {
     chart.height = job_.scene.view.image.height;
     const bool exact = std::holds_alternative<KnotSpec>(job_.mesh);
     chart.truth = exact ? "rays against the exact tube, in double; area to 1/1024 a pixel"
-                        : fmt::format("the mesh itself in double, since a mesh file has no exact "
-                                      "surface; area by {0} x {0} samples",
-                                      kMeshSamples);
-    const std::vector<Method> methods =
-        usual_methods(job_.mesh, job_.scene.texture, job_.spaces);
+                        : fmt::format(
+                              "the mesh itself in double, since a mesh file has no exact "
+                              "surface; area by {0} x {0} samples",
+                              kMeshSamples);
+    const std::vector<Method> methods = usual_methods(job_.mesh, job_.scene.texture, job_.spaces);
     for (const Method& method : methods) {
       chart.points.push_back({method_name(method), method, {}, {}, {}, {}});
     }
@@ -128,13 +128,13 @@ class Measuring {
   }
 
   fs::path truth_file(Space space, std::size_t truth) const {
-    return folder_ / fmt::format("truth-{}-{}.exr", kSpaceNames[std::size_t(space)],
-                                 kTruthNames[truth]);
+    return folder_ /
+           fmt::format("truth-{}-{}.exr", kSpaceNames[std::size_t(space)], kTruthNames[truth]);
   }
 
   Image draw_truth_image(Space space, bool area, const Progress& progress) const {
     Scene scene = job_.scene;
-    scene.view.material = exact_material(scene.view.material, space);
+    scene.view.material = true_material(scene.view.material, space);
     if (const auto* knot = std::get_if<KnotSpec>(&job_.mesh)) {
       TruthOptions options;
       options.sampling = area ? TruthSampling::kArea : TruthSampling::kPoint;

@@ -45,7 +45,7 @@ std::string method_shortfall(const Method& m) {
   return m.samples < 1 || root * root != m.samples ? "half and double have n x n samples" : "";
 }
 
-Material exact_material(const Material& material, Space space) {
+Material true_material(const Material& material, Space space) {
   Material exact = material;
   exact.space = space;
   exact.form = Form::kMatrices;
@@ -56,7 +56,7 @@ Material exact_material(const Material& material, Space space) {
 }
 
 Material method_material(const Method& method, const Material& material) {
-  Material result = exact_material(material, method.space);
+  Material result = true_material(material, method.space);
   result.rate = method.rate;
   if (method.formula == Formula::kCollapsed) result.form = Form::kCollapsed;
   if (method.formula == Formula::kBaked) result.form = Form::kBaked;

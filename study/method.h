@@ -29,7 +29,8 @@ struct Method {
   Formula formula = Formula::kMatrices;
   Number number = Number::kFloat;
   Filter filter = Filter::kTrilinear;
-  int samples = 1;  ///< a pixel. Float: of coverage and depth, shaded once a triangle; others: shaded
+  int samples =
+      1;  ///< a pixel. Float: of coverage and depth, shaded once a triangle; others: shaded
 
   friend bool operator==(const Method&, const Method&) = default;
 };
@@ -45,7 +46,7 @@ std::string method_shortfall(const Method& method);
 Material method_material(const Method& method, const Material& material);
 
 /// What all methods of a space approximate: `material` there, at every point, with a unit normal.
-Material exact_material(const Material& material, Space space);
+Material true_material(const Material& material, Space space);
 
 /// `mesh` with the method's grid, when it is a knot and the method has one.
 MeshSpec method_mesh(const Method& method, const MeshSpec& mesh);
