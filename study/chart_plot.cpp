@@ -14,12 +14,11 @@ struct Group {
   const char *title, *style;
 };
 
-constexpr std::array<Group, 5> kGroups{
-    {{"float, light a pixel", "pt 7 ps 0.9 lc rgb '#3f7f93'"},
-     {"float, light a vertex", "pt 9 ps 1.0 lc rgb '#d97b29'"},
-     {"double", "pt 5 ps 0.9 lc rgb '#7a5195'"},
-     {"half (time is its emulation's)", "pt 6 ps 1.0 lc rgb '#8c96a3'"},
-     {"other programs", "pt 13 ps 1.3 lc rgb '#2b2b2b'"}}};
+constexpr std::array<Group, 5> kGroups{{{"float, light a pixel", "pt 7 ps 0.9 lc rgb '#3f7f93'"},
+                                        {"float, light a vertex", "pt 9 ps 1.0 lc rgb '#d97b29'"},
+                                        {"double", "pt 5 ps 0.9 lc rgb '#7a5195'"},
+                                        {"half (emulated)", "pt 6 ps 1.0 lc rgb '#8c96a3'"},
+                                        {"other programs", "pt 13 ps 1.3 lc rgb '#2b2b2b'"}}};
 
 std::size_t group_of(const ChartPoint& point) {
   if (!point.method) return 4;
@@ -40,6 +39,13 @@ bool is_shown(const Chart& chart, const ChartPoint& point, std::size_t truth) {
 
 std::string block(const std::string& name, const std::string& rows) {
   return fmt::format("${} << EOD\n{}EOD\n", name, rows.empty() ? "NaN NaN\n" : rows);
+}
+
+/// Within a gnuplot string in single quotes.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result;
 }
 
 /// Time, error, least and most time; a row for each point of the group.
@@ -132,9 +138,9 @@ std::string chart_plot(const Chart& chart, const Metric& metric) {
   }
   text += fmt::format(
       "set multiplot\nset logscale xy\nset grid lc rgb '#e3e6ea'\nset tics nomirror\n"
-      "set format y '10^{{%T}}'\nset xlabel 'milliseconds a frame, {} x {}'\nset ylabel '{}'\n"
+      "set format y '1e%T'\nset xlabel 'milliseconds a frame, {} x {}'\nset ylabel '{}'\n"
       "set bmargin at screen 0.40\nset tmargin at screen 0.90\n",
-      chart.width, chart.height, metric.about);
+      chart.width, chart.height, escaped(metric.about));
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     text += panel(chart, metric, truth);
   }
