@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 1280, kHeight = 860;  // of the chart, pixels
-
 struct ChartFlags {
   std::string scene = "figure2", output = "chart", metric = "rmse";
   std::vector<std::string> spaces;
@@ -70,12 +68,15 @@ std::string where_it_stands(const fs::path& folder) {
 
 void write_all(const Chart& chart, const ChartFlags& flags) {
   const fs::path folder = flags.output;
-  const std::string plot = chart_plot(chart, metric_called(flags.metric));
+  const ChartPicture picture = chart_picture(chart, metric_called(flags.metric));
+  const auto drawn = [&](ChartFormat format) {
+    return draw_chart(picture.script, format, picture.width, picture.height);
+  };
   const auto write = [&](const char* name, const std::string& bytes) {
     write_file(folder / name, bytes, "--output");
   };
-  write("chart.svg", draw_chart(plot, ChartFormat::kSvg, kWidth, kHeight));
-  write("chart.png", draw_chart(plot, ChartFormat::kPng, kWidth, kHeight));
+  write("chart.svg", drawn(ChartFormat::kSvg));
+  write("chart.png", drawn(ChartFormat::kPng));
   write("chart.csv", chart_csv(chart));
   write("chart.html", chart_html(chart, flags.scene));
 }
@@ -90,7 +91,7 @@ void run(const ChartFlags& flags) {
   check_gnuplot();
   const SceneInput input = read_scene(flags.scene);
   ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
-               flags.rounds, !flags.alone};
+               flags.rounds,      !flags.alone,    flags.metric};
   make_output_folder(flags.output, "chart.json");
   try {
     const Chart chart =

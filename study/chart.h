@@ -34,7 +34,8 @@ std::span<const Metric> chart_metrics();
 /// One method, or another program's way, with what was measured of it.
 struct ChartPoint {
   std::string name;
-  std::optional<Method> method;                 ///< none: another program
+  std::optional<Method> method;  ///< none: another program
+  Space space = Space::kRgb;
   std::string how;                              ///< what is particular to another program's time
   std::array<std::optional<Errors>, 2> errors;  ///< by kTruthNames; none from what it is not to hit
   /// Of each round: a frame's time over that of the baseline's frame beside it, and itself.
@@ -62,11 +63,20 @@ std::optional<Spread> frame_time(const Chart& chart, const ChartPoint& point);
 
 /// Times count as equal within this share, errors within that: what is only so much faster or
 /// better is not worth a place on the front, and differences within a machine's noise change none.
-inline constexpr double kSameTime = 0.10, kSameError = 0.01;
+inline constexpr double kSameTime = 0.05, kSameError = 0.01;
 
-/// The Pareto front, by rising error: the points that nothing with a smaller or equal error comes
-/// near in time. `truth` is an index of kTruthNames.
-std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, std::size_t truth);
+/// The Pareto front of a space, by rising error: the points that nothing with a smaller or equal
+/// error comes near in time; of those that are equal in both the first. Points of other spaces draw
+/// another picture, and don't compete. `truth` is an index of kTruthNames.
+std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, std::size_t truth,
+                                      Space space);
+
+/// The spaces of the chart's points, in their order.
+std::vector<Space> spaces_in(const Chart& chart);
+
+/// The points whose times are not known well enough: were they as much longer or shorter as their
+/// rounds leave open, a front of `metric` would be another.
+std::vector<std::size_t> contested_points(const Chart& chart, const Metric& metric);
 
 /// The usual methods for a scene with that mesh and texture, in these spaces.
 std::vector<Method> usual_methods(const MeshSpec& mesh, const Texture& texture,
@@ -76,8 +86,9 @@ struct ChartJob {
   Scene scene;
   MeshSpec mesh;              ///< what the scene's mesh was made of
   std::vector<Space> spaces;  ///< none twice
-  int rounds = 8;
+  int rounds = 8;      ///< that time every method; contested points get up to four times as many
   bool others = true;  ///< other programs too
+  std::string_view metric = "rmse";  ///< whose fronts contest points
 };
 
 /// Measures what `folder` does not yet hold, and keeps each result there at once: chart.json, and
@@ -101,8 +112,14 @@ std::string chart_csv(const Chart& chart);
 /// The fronts as text for a terminal.
 std::string chart_text(const Chart& chart, const Metric& metric);
 
-/// gnuplot's commands for the double logarithmic chart of `metric`, the fronts marked.
-std::string chart_plot(const Chart& chart, const Metric& metric);
+/// gnuplot's commands for a picture, and its size in pixels.
+struct ChartPicture {
+  std::string script;
+  int width = 0, height = 0;
+};
+
+/// The double logarithmic chart of `metric`, the fronts marked and told below.
+ChartPicture chart_picture(const Chart& chart, const Metric& metric);
 
 /// One HTML page that needs nothing else: choose the metric, point at a method.
 std::string chart_html(const Chart& chart, const std::string& scene);

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFlag = "--output";
 constexpr double kSlow = 60;  // milliseconds: frames so slow are few, and far from any other
 constexpr std::size_t kSlowRounds = 3;
-constexpr int kFrames = 3;       // of each round
+constexpr int kSettling = 4;     // times the rounds, at most
+constexpr int kFrames = 5;       // of each round
 constexpr int kMeshSamples = 8;  // a side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
 
@@ -95,7 +96,7 @@ class Measuring {
                               kMeshSamples);
     const std::vector<Method> methods = usual_methods(job_.mesh, job_.scene.texture, job_.spaces);
     for (const Method& method : methods) {
-      chart.points.push_back({method_name(method), method, {}, {}, {}, {}});
+      chart.points.push_back({method_name(method), method, method.space, {}, {}, {}, {}});
     }
     chart.baseline = method_name(baseline());
     return chart;
@@ -116,7 +117,8 @@ class Measuring {
     for (const ChartPoint& point : old.points) {
       const auto known = std::ranges::find(chart_.points, point.name, &ChartPoint::name);
       if (known != chart_.points.end()) *known = point;
-      if (!point.method && job_.others) chart_.points.push_back(point);
+      const bool drawn = std::ranges::count(job_.spaces, point.space) > 0;
+      if (!point.method && job_.others && drawn) chart_.points.push_back(point);
     }
     if (job_.others) chart_.missing = old.missing;
   }
@@ -196,10 +198,10 @@ class Measuring {
     return made && (made->segments != own->segments || made->sides != own->sides);
   }
 
-  void judge(ChartPoint& point, const Image& image, Space space, int samples) {
+  void judge(ChartPoint& point, const Image& image, int samples) {
     const SeenImage drawn = seen(image);
-    if (samples == 1) point.errors[0] = errors_between(truths_[{space, 0}], drawn);
-    point.errors[1] = errors_between(truths_[{space, 1}], drawn);
+    if (samples == 1) point.errors[0] = errors_between(truths_[{point.space, 0}], drawn);
+    point.errors[1] = errors_between(truths_[{point.space, 1}], drawn);
   }
 
   void measure_errors() {
@@ -209,7 +211,7 @@ class Measuring {
       check_interrupted();
       const Method method = *point.method;
       MethodRenderer renderer(method, scene_of(method));
-      judge(point, renderer.image(), method.space, method.samples);
+      judge(point, renderer.image(), method.samples);
       keep();
       report(kTruthEnd, kErrorsEnd, double(i + 1) / double(chart_.points.size()));
     }
@@ -231,8 +233,9 @@ class Measuring {
     std::erase_if(chart_.missing, is_its);  // it may have been installed since
     OtherResult result = program.measure(job_.scene, job_.spaces, baseline());
     for (OtherFrame& frame : result.frames) {
-      ChartPoint point{frame.name, std::nullopt, frame.how, {}, {}, frame.milliseconds};
-      judge(point, frame.image, frame.space, frame.samples);
+      ChartPoint point{frame.name, std::nullopt, frame.space,       frame.how,
+                       {},         {},           frame.milliseconds};
+      judge(point, frame.image, frame.samples);
       chart_.points.push_back(std::move(point));
     }
     for (MissingPoint& missing : result.missing) chart_.missing.push_back(std::move(missing));
@@ -249,6 +252,25 @@ class Measuring {
         if (point.method && needs_round(point, round)) time_round(point, beside);
         check_interrupted();
       }
+      keep();
+    }
+    settle(beside);
+  }
+
+  /// More rounds for the points on whose times a front hangs.
+  void settle(MethodRenderer& beside) {
+    const Metric& metric = *std::ranges::find(chart_metrics(), job_.metric, &Metric::name);
+    for (int round = job_.rounds; round < kSettling * job_.rounds; ++round) {
+      const std::vector<std::size_t> contested = contested_points(chart_, metric);
+      bool any = false;
+      for (const std::size_t i : contested) {
+        ChartPoint& point = chart_.points[i];
+        if (point.ratios.size() > std::size_t(round)) continue;
+        time_round(point, beside);
+        any = true;
+        check_interrupted();
+      }
+      if (!any) return;
       keep();
     }
   }

@@ -58,21 +58,20 @@ Method with_grid(Method method, const Size& size) {
 
 /// Every grid: formulas, light a vertex, filter and antialiasing.
 void add_on_each_grid(Space space, const Size& size, bool filters, std::vector<Method>& all) {
-  Method method = with_grid({.space = space}, size);
   for (const int samples : {1, 4}) {
-    method.samples = samples;
+    Method method = with_grid({.space = space, .samples = samples}, size);
     for (const Formula formula : kFormulas) {
       method.formula = formula;
       add(method, all);
     }
     method.formula = lean_formula(space);
-    method.rate = Rate::kVertex;
-    add(method, all);
-    method.rate = Rate::kPixel;
+    Method rarer = method;
+    rarer.rate = Rate::kVertex;
+    add(rarer, all);
+    rarer = method;
+    rarer.filter = Filter::kBilinear;
+    if (filters) add(rarer, all);
   }
-  method.samples = 1;
-  method.filter = Filter::kBilinear;
-  if (filters) add(method, all);
 }
 
 /// More samples, and double.

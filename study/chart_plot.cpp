@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "scene/fields.h"
 #include "study/chart.h"
 
 namespace lumaknot {
@@ -61,90 +62,143 @@ std::string group_rows(const Chart& chart, const Metric& metric, std::size_t tru
   return rows;
 }
 
-std::string front_rows(const Chart& chart, const Metric& metric, std::size_t truth) {
+/// Numbered from `first` on.
+std::string front_rows(const Chart& chart, const Metric& metric, std::size_t truth, Space space,
+                       int first) {
   std::string rows;
-  int number = 0;
-  for (const std::size_t i : pareto_front(chart, metric, truth)) {
+  for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
     const ChartPoint& point = chart.points[i];
     rows += fmt::format("{} {} {}\n", frame_time(chart, point)->median,
-                        shown_error(point, metric, truth), ++number);
+                        shown_error(point, metric, truth), first++);
   }
   return rows;
 }
 
-std::string other_rows(const Chart& chart, const Metric& metric, std::size_t truth) {
-  std::string rows;
+/// How many lines the fronts of a panel take.
+int front_lines(const Chart& chart, const Metric& metric, std::size_t truth) {
+  std::size_t lines = 0;
+  for (const Space space : spaces_in(chart)) {
+    lines += pareto_front(chart, metric, truth, space).size();
+  }
+  return int(lines);
+}
+
+/// Each other program's name at its first point. Some draw in the same time to the same error.
+std::string other_labels(const Chart& chart, const Metric& metric, std::size_t truth) {
+  constexpr std::array<const char*, 4> kPlaces{"center offset 0,0.8", "right offset -0.8,-0.6",
+                                               "right offset -0.8,0.4", "left offset 0.9,0"};
+  std::string labels;
+  std::vector<std::string> named;
   for (const ChartPoint& point : chart.points) {
     if (point.method || !is_shown(chart, point, truth)) continue;
     const std::string program = point.name.substr(0, point.name.find(' '));
-    rows += fmt::format("{} {} {}\n", frame_time(chart, point)->median,
-                        shown_error(point, metric, truth), program);
-  }
-  return rows;
-}
-
-/// The names of a front below its panel.
-std::string front_labels(const Chart& chart, const Metric& metric, std::size_t truth) {
-  constexpr double kTop = 0.30, kLine = 0.021;
-  std::string labels;
-  int number = 0;
-  for (const std::size_t i : pareto_front(chart, metric, truth)) {
-    ++number;
-    const ChartPoint& point = chart.points[i];
-    labels += fmt::format(
-        "set label {} '{:>2}  {:8.2f} ms  {:8.2e}  {}' at screen {},{} font "
-        "'monospace,9'\n",
-        number, number, frame_time(chart, point)->median, (*point.errors[truth]).*metric.value,
-        point.name, truth == 0 ? 0.035 : 0.53, kTop - kLine * number);
+    if (std::ranges::count(named, program) > 0) continue;
+    labels += fmt::format("set label '{}' at {},{} {} font ',9'\n", escaped(program),
+                          frame_time(chart, point)->median, shown_error(point, metric, truth),
+                          kPlaces[named.size() % kPlaces.size()]);
+    named.push_back(program);
   }
   return labels;
 }
 
-std::string panel(const Chart& chart, const Metric& metric, std::size_t truth) {
-  const char* titles[] = {"One sample a pixel, against the truth at its centre",
-                          "All methods, against the mean of the truth over the pixel"};
-  const double left = truth == 0 ? 0.07 : 0.56;
+// Pixels.
+constexpr int kWidth = 1280, kTop = 80, kPanel = 470, kBelow = 75, kLine = 17;
+
+std::string front_labels(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
+  std::string labels;
+  int number = 0;
+  for (const Space space : spaces_in(chart)) {
+    for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+      const ChartPoint& point = chart.points[i];
+      const double y = 1 - double(kTop + kPanel + kBelow + kLine * number) / height;
+      labels += fmt::format(
+          "set label '{:>2}  {:7.2f} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n",
+          ++number, frame_time(chart, point)->median, (*point.errors[truth]).*metric.value,
+          escaped(point.name), truth == 0 ? 0.05 : 0.54, y);
+    }
+  }
+  return labels;
+}
+
+/// A line through the front of each space, numbered.
+std::string front_plots(const Chart& chart, std::size_t truth) {
+  constexpr std::array<const char*, 4> kColors{"#c0392b", "#1b6e3c", "#1f4e9c", "#8a6d00"};
+  std::string plots;
+  std::size_t index = 0;
+  for (const Space space : spaces_in(chart)) {
+    plots += fmt::format(
+        ", $t{0}f{1} using 1:2 with lines lw 2 lc rgb '{2}' title 'front in {3}', $t{0}f{1} using "
+        "1:2:3 with labels offset -0.9,-0.7 font ',10' textcolor rgb '{2}' notitle",
+        truth, int(space), kColors[index++ % kColors.size()], kSpaceNames[std::size_t(space)]);
+  }
+  return plots;
+}
+
+std::string panel(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
+  constexpr std::array kTitles{"Methods of one sample, against the truth at each pixel's centre",
+                               "All methods, against the mean of the truth over each pixel"};
+  const double left = truth == 0 ? 0.065 : 0.56;
   std::string text = fmt::format(
       "unset label\nset lmargin at screen {}\nset rmargin at screen {}\nset title '{}'\n", left,
-      left + 0.42, titles[truth]);
-  text += front_labels(chart, metric, truth);
-  text += truth == 0 ? "set key at screen 0.5,0.965 center maxrows 1 samplen 1 width 1\n"
-                     : "unset key\n";
+      left + 0.425, escaped(kTitles[truth]));
+  text += front_labels(chart, metric, truth, height) + other_labels(chart, metric, truth);
+  text +=
+      truth == 0 ? "set key at screen 0.5,0.97 center top maxrows 1 samplen 1\n" : "unset key\n";
   text += "plot ";
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     text += fmt::format(
-        "$t{0}g{1} using 1:2:3:4 with xerrorbars notitle pt 0 lc rgb '#c9d0d8', "
-        "$t{0}g{1} using 1:2 with points {2} title '{3}', ",
-        truth, g, kGroups[g].style, kGroups[g].title);
+        "{0}$t{1}g{2} using 1:2:3:4 with xerrorbars notitle pt 0 lc rgb '#c9d0d8', "
+        "$t{1}g{2} using 1:2 with points {3} title '{4}'",
+        g > 0 ? ", " : "", truth, g, kGroups[g].style, kGroups[g].title);
   }
-  return text + fmt::format(
-                    "$t{0}f using 1:2 with lines lw 2 lc rgb '#c0392b' title 'front', "
-                    "$t{0}f using 1:2:3 with labels offset -0.9,-0.7 font ',10' textcolor "
-                    "rgb '#c0392b' notitle, $t{0}o using 1:2:3 with labels offset 0,0.9 "
-                    "font ',9' notitle\n",
-                    truth);
+  return text + front_plots(chart, truth) + "\n";
+}
+
+/// The points of a panel as gnuplot's data.
+std::string panel_data(const Chart& chart, const Metric& metric, std::size_t truth) {
+  std::string text;
+  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+    text += block(fmt::format("t{}g{}", truth, g), group_rows(chart, metric, truth, g));
+  }
+  int number = 1;
+  for (const Space space : spaces_in(chart)) {
+    const std::string rows = front_rows(chart, metric, truth, space, number);
+    number += int(std::ranges::count(rows, '\n'));
+    text += block(fmt::format("t{}f{}", truth, int(space)), rows);
+  }
+  return text;
+}
+
+/// All errors of the chart, with some room about them.
+std::string error_range(const Chart& chart, const Metric& metric) {
+  double least = 1, most = kLeast;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    for (const ChartPoint& point : chart.points) {
+      if (!is_shown(chart, point, truth)) continue;
+      least = std::min(least, shown_error(point, metric, truth));
+      most = std::max(most, shown_error(point, metric, truth));
+    }
+  }
+  return fmt::format("set yrange [{}:{}]\n", least / 1.6, most * 1.6);
 }
 
 }  // namespace
 
-std::string chart_plot(const Chart& chart, const Metric& metric) {
-  std::string text;
-  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
-    for (std::size_t g = 0; g < kGroups.size(); ++g) {
-      text += block(fmt::format("t{}g{}", truth, g), group_rows(chart, metric, truth, g));
-    }
-    text += block(fmt::format("t{}f", truth), front_rows(chart, metric, truth));
-    text += block(fmt::format("t{}o", truth), other_rows(chart, metric, truth));
-  }
+ChartPicture chart_picture(const Chart& chart, const Metric& metric) {
+  const int lines = std::max(front_lines(chart, metric, 0), front_lines(chart, metric, 1));
+  const int height = kTop + kPanel + kBelow + kLine * (lines + 1);
+  std::string text = panel_data(chart, metric, 0) + panel_data(chart, metric, 1);
   text += fmt::format(
-      "set multiplot\nset logscale xy\nset grid lc rgb '#e3e6ea'\nset tics nomirror\n"
-      "set format y '1e%T'\nset xlabel 'milliseconds a frame, {} x {}'\nset ylabel '{}'\n"
-      "set bmargin at screen 0.40\nset tmargin at screen 0.90\n",
-      chart.width, chart.height, escaped(metric.about));
+      "set multiplot\nset logscale xy\nset grid lt 1 lc rgb '#e3e6ea'\nset tics nomirror\n"
+      "set format y '%.0e'\nset xlabel 'milliseconds a frame, {} x {}'\nset ylabel '{}'\n"
+      "set tmargin at screen {}\nset bmargin at screen {}\n",
+      chart.width, chart.height, escaped(metric.about), 1 - double(kTop) / height,
+      1 - double(kTop + kPanel) / height);
+  text += error_range(chart, metric);
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
-    text += panel(chart, metric, truth);
+    text += panel(chart, metric, truth, height);
   }
-  return text + "unset multiplot\n";
+  return {text + "unset multiplot\n", kWidth, height};
 }
 
 }  // namespace lumaknot

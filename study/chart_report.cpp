@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "scene/fields.h"
@@ -45,6 +46,7 @@ Json errors_json(const Errors& errors) {
 Json point_json(const Chart& chart, const ChartPoint& point) {
   Json json{{"name", point.name}};
   if (point.method) json["method"] = method_json(*point.method);
+  json["space"] = kSpaceNames[std::size_t(point.space)];
   if (!point.how.empty()) json["how"] = point.how;
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     if (point.errors[truth]) {
@@ -62,6 +64,8 @@ ChartPoint point_from(const Json& json) {
   ChartPoint point;
   point.name = json.at("name");
   if (json.contains("method")) point.method = method_from(json["method"]);
+  const auto space = std::ranges::find(kSpaceNames, json.at("space").get<std::string>());
+  point.space = Space(space - kSpaceNames.begin());
   point.how = json.value("how", "");
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     const std::string name(kTruthNames[truth]);
@@ -77,15 +81,23 @@ ChartPoint point_from(const Json& json) {
   return point;
 }
 
+Json front_json(const Chart& chart, const Metric& metric, std::size_t truth, Space space) {
+  Json names = Json::array();
+  for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+    names.push_back(chart.points[i].name);
+  }
+  return names;
+}
+
+/// By truth, metric and space.
 Json fronts_json(const Chart& chart) {
   Json fronts;
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     for (const Metric& metric : kMetrics) {
-      Json names = Json::array();
-      for (const std::size_t i : pareto_front(chart, metric, truth)) {
-        names.push_back(chart.points[i].name);
+      Json& all = fronts[std::string(kTruthNames[truth])][std::string(metric.name)];
+      for (const Space space : spaces_in(chart)) {
+        all[std::string(kSpaceNames[std::size_t(space)])] = front_json(chart, metric, truth, space);
       }
-      fronts[std::string(kTruthNames[truth])][std::string(metric.name)] = names;
     }
   }
   return fronts;
@@ -159,15 +171,19 @@ std::string chart_csv(const Chart& chart) {
 std::string chart_text(const Chart& chart, const Metric& metric) {
   constexpr int kName = 46;
   std::string text;
-  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
-    text += fmt::format("{:<{}}  {:>9}  {:>8}  {}\n",
-                        fmt::format("front, from the {} truth", kTruthNames[truth]), kName,
-                        metric.name, "ms", "least..most");
-    for (const std::size_t i : pareto_front(chart, metric, truth)) {
-      const ChartPoint& point = chart.points[i];
-      const Spread time = *frame_time(chart, point);
-      text += fmt::format("  {:<{}}  {:>9.3g}  {:>8.2f}  {:.2f}..{:.2f}\n", point.name, kName - 2,
-                          (*point.errors[truth]).*metric.value, time.median, time.least, time.most);
+  for (const Space space : spaces_in(chart)) {
+    for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+      text += fmt::format("{:<{}}  {:>9}  {:>8}  {}\n",
+                          fmt::format("front in {}, from the {} truth",
+                                      kSpaceNames[std::size_t(space)], kTruthNames[truth]),
+                          kName, metric.name, "ms", "least..most");
+      for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+        const ChartPoint& point = chart.points[i];
+        const Spread time = *frame_time(chart, point);
+        text +=
+            fmt::format("  {:<{}}  {:>9.3g}  {:>8.2f}  {:.2f}..{:.2f}\n", point.name, kName - 2,
+                        (*point.errors[truth]).*metric.value, time.median, time.least, time.most);
+      }
     }
   }
   for (const MissingPoint& m : chart.missing) {
