@@ -38,7 +38,8 @@ struct ChartPoint {
   Space space = Space::kRgb;
   std::string how;                              ///< what is particular to another program's time
   std::array<std::optional<Errors>, 2> errors;  ///< by kTruthNames; none from what it is not to hit
-  /// Of each round: a frame's time over that of the baseline's frame beside it, and itself.
+  /// Of each round: the least time of a few frames over that of the baseline's frames beside them,
+  /// and itself. Another program's: of each frame.
   std::vector<double> ratios, milliseconds;
 };
 

@@ -281,18 +281,18 @@ class Measuring {
     return had < kSlowRounds || median(point.milliseconds) < kSlow;
   }
 
-  /// A renderer made anew, since where its memory lies is part of its time.
+  /// A renderer made anew, since where its memory lies is part of its time. The least of a few
+  /// frames in turns with the baseline's: what else the machine does only makes frames longer.
   void time_round(ChartPoint& point, MethodRenderer& beside) {
     MethodRenderer renderer(*point.method, scene_of(*point.method));
     const bool slow = milliseconds_of(renderer) > kSlow;
-    std::vector<double> ratios, times;
-    for (int frame = 0; frame < (slow ? 1 : kFrames); ++frame) {
-      const double baseline_time = milliseconds_of(beside);
-      times.push_back(milliseconds_of(renderer));
-      ratios.push_back(times.back() / baseline_time);
+    double baseline_time = milliseconds_of(beside), time = milliseconds_of(renderer);
+    for (int frame = 1; frame < (slow ? 1 : kFrames); ++frame) {
+      baseline_time = std::min(baseline_time, milliseconds_of(beside));
+      time = std::min(time, milliseconds_of(renderer));
     }
-    point.ratios.push_back(median(ratios));
-    point.milliseconds.push_back(median(times));
+    point.ratios.push_back(time / baseline_time);
+    point.milliseconds.push_back(time);
   }
 
   const ChartJob& job_;

@@ -85,7 +85,7 @@ int front_lines(const Chart& chart, const Metric& metric, std::size_t truth) {
 
 /// Each other program's name at its first point. Some draw in the same time to the same error.
 std::string other_labels(const Chart& chart, const Metric& metric, std::size_t truth) {
-  constexpr std::array<const char*, 4> kPlaces{"center offset 0,0.8", "right offset -0.8,-0.6",
+  constexpr std::array<const char*, 4> kPlaces{"right offset -0.8,0", "right offset -0.8,-0.6",
                                                "right offset -0.8,0.4", "left offset 0.9,0"};
   std::string labels;
   std::vector<std::string> named;
@@ -102,7 +102,7 @@ std::string other_labels(const Chart& chart, const Metric& metric, std::size_t t
 }
 
 // Pixels.
-constexpr int kWidth = 1280, kTop = 80, kPanel = 470, kBelow = 75, kLine = 17;
+constexpr int kWidth = 1280, kTop = 100, kPanel = 470, kBelow = 75, kLine = 17;
 
 std::string front_labels(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
   std::string labels;
@@ -143,7 +143,7 @@ std::string panel(const Chart& chart, const Metric& metric, std::size_t truth, i
       left + 0.425, escaped(kTitles[truth]));
   text += front_labels(chart, metric, truth, height) + other_labels(chart, metric, truth);
   text +=
-      truth == 0 ? "set key at screen 0.5,0.97 center top maxrows 1 samplen 1\n" : "unset key\n";
+      truth == 0 ? "set key at screen 0.5,0.97 center top maxrows 2 samplen 1\n" : "unset key\n";
   text += "plot ";
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     text += fmt::format(
@@ -179,7 +179,7 @@ std::string error_range(const Chart& chart, const Metric& metric) {
       most = std::max(most, shown_error(point, metric, truth));
     }
   }
-  return fmt::format("set yrange [{}:{}]\n", least / 1.6, most * 1.6);
+  return fmt::format("set yrange [{}:{}]\n", least / 1.6, std::max(least, most) * 1.6);
 }
 
 }  // namespace
