@@ -29,13 +29,6 @@ struct ChartFlags {
   Output out;
 };
 
-/// The user asked to stop, and what becomes of what was done.
-struct ChartInterrupted : Interrupted {
-  explicit ChartInterrupted(std::string told) : text(std::move(told)) {}
-  const char* what() const noexcept override { return text.c_str(); }
-  std::string text;
-};
-
 const Metric& metric_called(const std::string& name) {
   return *std::ranges::find(chart_metrics(), name, &Metric::name);
 }
@@ -102,8 +95,9 @@ void run(const ChartFlags& flags) {
     flags.out.say(chart_text(chart, metric_called(flags.metric)));
     flags.out.say(fmt::format("{} points; see {}", chart.points.size(),
                               (fs::path(flags.output) / "chart.html").string()));
-  } catch (const Interrupted&) {
-    throw ChartInterrupted(where_it_stands(flags.output));
+  } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(flags.output));
+    throw;
   }
 }
 
