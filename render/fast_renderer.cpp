@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/clip.h"
 #include "render/crew.h"
@@ -16,7 +17,7 @@ constexpr int kLargestSide = 256 * kTile;
 constexpr std::size_t kMostTriangles = std::size_t(1) << 28, kMostVertices = kMostTriangles;
 constexpr std::size_t kVertexBatch = 2048;  // handed to a thread at once
 constexpr std::size_t kShortestRun = 1024, kMostRuns = 64;
-constexpr std::size_t kPadding = 16;  // what a packet may read behind the last vertex
+constexpr std::size_t kPadding = 16;  // what a packet may reach behind the last
 
 void check(const Scene& scene, const FastOptions& options) {
   const ImageSpec& image = scene.view.image;
@@ -44,7 +45,38 @@ void check(const Scene& scene, const FastOptions& options) {
   if (options.level > best_simd_level()) throw Error("this processor has no such instructions");
 }
 
-void copy_mesh(FrameData& data, const TriangleMesh& mesh) {
+/// Lengths that single precision holds wherever a scene lies and however large it is: from the eye,
+/// in the power of two that is nearest to the target's distance, so that nothing is rounded.
+class EyeLengths {
+ public:
+  explicit EyeLengths(const Camera& camera)
+      : eye_(camera.position),
+        scale_(std::exp2(-std::round(std::log2(length(camera.target - camera.position))))) {}
+
+  Vec3d operator()(const Vec3d& position) const { return (position - eye_) * scale_; }
+
+  Camera operator()(Camera camera) const {
+    camera.target = (*this)(camera.target);
+    camera.position = {};
+    return camera;
+  }
+
+  Lighting<double> operator()(Lighting<double> lighting) const {
+    lighting.eye_position = {};
+    for (LightNumbers<double>& light : lighting.lights) {
+      light.position = (*this)(light.position);
+      light.linear /= scale_;
+      light.quadratic /= scale_ * scale_;
+    }
+    return lighting;
+  }
+
+ private:
+  Vec3d eye_;
+  double scale_;
+};
+
+void copy_mesh(FrameData& data, const TriangleMesh& mesh, const EyeLengths& lengths) {
   const std::size_t count = mesh.positions.size();
   data.vertex_count = count;
   data.triangle_count = mesh.triangles.size();
@@ -52,7 +84,7 @@ void copy_mesh(FrameData& data, const TriangleMesh& mesh) {
   data.records.resize(count);
   data.points.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d &p = mesh.positions[i], &n = mesh.normals[i];
+    const Vec3d p = lengths(mesh.positions[i]), &n = mesh.normals[i];
     data.xs[i] = p.x, data.ys[i] = p.y, data.zs[i] = p.z;
     data.records[i] = {0,
                        0,
@@ -80,23 +112,25 @@ std::vector<Run> runs_of(std::size_t triangles) {
 
 FrameData frame_data(const Scene& scene, const FastOptions& options) {
   FrameData data;
+  const EyeLengths lengths(scene.view.camera);
+  const Camera camera = lengths(scene.view.camera);
   data.width = scene.view.image.width;
   data.height = scene.view.image.height;
   data.columns = (data.width + kTile - 1) / kTile;
   data.rows = (data.height + kTile - 1) / kTile;
   data.options = options;
   data.pattern = sample_pattern(options.samples);
-  data.projection = Projection(scene.view.camera, data.width, data.height);
+  data.projection = Projection(camera, data.width, data.height);
   const auto ray = [&](double x, double y) {
     return data.projection.to_world(data.projection.ray(x, y));
   };
   data.corner_ray = ray(0, 0);
   data.ray_x = ray(1, 0) - data.corner_ray;
   data.ray_y = ray(0, 1) - data.corner_ray;
-  data.near = near_depth(scene.view.camera);
+  data.near = near_depth(camera);
   data.shot = {"final", Stage::kFinal, scene.view.material};
-  data.lighting = lighting_of<double>(scene.view, scene.view.material);
-  copy_mesh(data, scene.mesh);
+  data.lighting = lengths(lighting_of<double>(scene.view, scene.view.material));
+  copy_mesh(data, scene.mesh, lengths);
   data.runs = runs_of(data.triangle_count);
   if (scene.view.material.rate == Rate::kVertex) data.terms.resize(data.vertex_count);
   data.texture = make_mipmap(scene.texture, scene.view.material, options.wrapping,
@@ -107,8 +141,8 @@ FrameData frame_data(const Scene& scene, const FastOptions& options) {
 TileMemory tile_memory(std::size_t samples) {
   constexpr std::size_t kPlane = kTile * kTile;
   TileMemory memory;
-  memory.depths.resize(samples * kPlane);
-  memory.seen.resize(samples * kPlane);
+  memory.depths.resize(samples * kPlane + kPadding);
+  memory.seen.resize(samples * kPlane + kPadding);
   memory.colors.resize(kPlane * 4);
   memory.touched.resize(kPlane);
   return memory;
@@ -131,6 +165,9 @@ std::unique_ptr<Kernel> make_kernel(FrameData& data) {
 void sort_by_tile(Run& run, int columns, int rows) {
   const auto each_tile = [&](std::size_t i, const auto& work) {
     const TileBox& box = run.boxes[i];
+    if (box.x0 == box.x1 && box.y0 == box.y1) {  // most
+      return work(std::size_t(box.y0) * std::size_t(columns) + std::size_t(box.x0));
+    }
     for (int y = box.y0; y <= box.y1; ++y) {
       for (int x = box.x0; x <= box.x1; ++x)
         work(std::size_t(y) * std::size_t(columns) + std::size_t(x));

@@ -68,9 +68,11 @@ struct TileMemory {
   template <class T>
   using Aligned = std::vector<T, xsimd::aligned_allocator<T, 64>>;
 
-  Aligned<std::int32_t> depths;   ///< block by block, samples x lanes: bits of 1 / depth, 0: none
+  /// Block by block, samples x lanes: bits of 1 / depth, 0: none. Then a packet that is written
+  /// to in place of what lies beyond the tile.
+  Aligned<std::int32_t> depths;
   Aligned<std::int32_t> seen;     ///< as many: the triangle, kNothing where there is none
-  Aligned<float> colors;          ///< block by block, lanes x (r, g, b, coverage)
+  Aligned<float> colors;          ///< block by block, (r, g, b, coverage) x lanes
   Aligned<std::uint8_t> touched;  ///< whether a block's colours are set
 };
 constexpr std::int32_t kNothing = -1, kMixed = -2;

@@ -52,7 +52,12 @@ void append_texel(Mipmap& mipmap, const Rgb& c, bool as_bytes) {
 void append(Mipmap& mipmap, const TextureImage& image, Wrapping wrapping, bool as_bytes) {
   const std::size_t texels = as_bytes ? mipmap.bytes.size() : mipmap.floats.size() / 4;
   const int width = image.width, height = image.height;
-  mipmap.levels.push_back({width, height, width + 2, int(texels) + width + 3});
+  MipLevels& levels = mipmap.levels;
+  const std::size_t level = levels.count++;
+  levels.widths[level] = width;
+  levels.heights[level] = height;
+  levels.strides[level] = width + 2;
+  levels.firsts[level] = int(texels) + width + 3;
   const auto wrapped = [&](int i, int size) {
     return wrapping == Wrapping::kClamp ? std::clamp(i, 0, size - 1) : (i + size) % size;
   };

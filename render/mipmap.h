@@ -1,8 +1,8 @@
 /// A texture as the fast renderer reads it.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
 #include "render/filter.h"
 #include "scene/bulk.h"
@@ -10,18 +10,25 @@
 
 namespace lumaknot {
 
-/// One size of a texture: its texels row by row from the bottom, with a border of one texel of what
-/// wrapping finds there, so that neighbours always follow each other.
-struct MipLevel {
-  int width = 0, height = 0;  ///< without the border
-  int stride = 0;             ///< texels from a row to the next
-  int first = 0;              ///< texel (0, 0) of all texels
+/// As many halves as the largest texture has, and then a packet's lanes.
+constexpr std::size_t kMostLevels = 16;
+
+/// The sizes of a texture, each texel row by row from the bottom, with a border of one texel of
+/// what wrapping finds there, so that neighbours always follow each other.
+struct MipLevels {
+  template <class T>
+  using OfEach = std::array<T, kMostLevels>;
+
+  std::size_t count = 0;
+  alignas(64) OfEach<std::int32_t> widths{}, heights{};  ///< without the border
+  OfEach<std::int32_t> strides{};                        ///< texels from a row to the next
+  OfEach<std::int32_t> firsts{};                         ///< texel (0, 0) of all texels
 };
 
 /// A texture and its halves, down to one texel. Texels are packed bytes where that loses nothing of
 /// the image, else floats of which each texel has four; a plain colour has none.
 struct Mipmap {
-  std::vector<MipLevel> levels;
+  MipLevels levels;
   Bulk<std::uint32_t> bytes;  ///< r, g, b from the lowest byte on
   Bulk<float> floats;
   Vec3d color;  ///< where there are no levels

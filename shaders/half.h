@@ -36,6 +36,7 @@ struct Half {
 
   constexpr Half() = default;
   constexpr Half(double x) : value(float(round_to_half(x))) {}
+  constexpr explicit operator double() const { return value; }
 
   friend constexpr Half operator+(Half a, Half b) { return double(a.value) + double(b.value); }
   friend constexpr Half operator-(Half a, Half b) { return double(a.value) - double(b.value); }

@@ -18,7 +18,7 @@ struct SurfacePoint {
 /// The numbers of a light, as the number type sees them. Those that its kind lacks are not read.
 template <class S>
 struct LightNumbers {
-  bool has_position = true, has_cone = false;
+  bool has_position = true, has_falloff = true, has_cone = false;
   Vec<S> position, direction;  ///< world; direction is unit, the way the light shines
   Vec<S> color;                ///< intensity times colour; grey in a space of brightness
   S constant{1}, linear{0}, quadratic{0};  ///< of the falloff
@@ -135,7 +135,7 @@ S specular_term(Model model, const Directions<S>& d, const ModelNumbers<S>& numb
 template <class S>
 Vec<S> arriving(const LightNumbers<S>& light, const Vec<S>& to_light, const Vec<S>& l) {
   Vec<S> color = light.color;
-  if (light.has_position) {
+  if (light.has_position && light.has_falloff) {
     const S squared = named("distance2", dot(to_light, to_light));
     const S weakening = light.constant + light.linear * sqrt(squared) + light.quadratic * squared;
     color = color * (S(1) / max(weakening, S(1e-6)));

@@ -10,6 +10,17 @@ namespace lumaknot {
 /// Triangles of at most this many pixels a side have edge functions of 32 bits.
 constexpr int kSmall = 28;
 
+/// The triangles of a packet, their corners in the order in which the area is positive.
+template <class A>
+struct Oriented {
+  std::array<std::array<Ints<A>, 2>, 3> at;  ///< snapped
+  std::array<Floats<A>, 3> depth;            ///< inverse
+  Floats<A> slope_x, slope_y;                ///< of the inverse depth, a pixel
+  std::array<Ints<A>, 2> least, most;        ///< of the corners
+  Ints<A> area;    ///< before; of small triangles twice the area, others anything
+  Ints<A> turned;  ///< 1: the last two corners were exchanged
+};
+
 /// Several triangles ready for the samples of a tile. An edge function is
 ///   e(x, y) = (b.x - a.x) (y - a.y) - (b.y - a.y) (x - a.x) >= 0
 /// inside, for each edge from a to b in the order in which the area is positive; samples on an edge
@@ -28,31 +39,31 @@ struct SetUp {
 };
 
 template <class A>
-SetUp<A> set_up(const FrameData& data, const Ints<A>& triangles) {
-  SetUp<A> s;
+Oriented<A> oriented(const FrameData& data, const Ints<A>& triangles) {
+  Oriented<A> o;
   const std::array<Ints<A>, 3> corners = load_corners<A>(data, triangles);
-  std::array<std::array<Ints<A>, 2>, 3> p;
-  std::array<Floats<A>, 3> depth;
+  auto& p = o.at;
+  auto& depth = o.depth;
   for (std::size_t i = 0; i < 3; ++i) {
     const SnappedPoints<A> point = load_points<A>(data, corners[i]);
     p[i] = point.at;
     depth[i] = point.inverse_depth;
   }
   for (std::size_t c = 0; c < 2; ++c) {
-    xsimd::min(xsimd::min(p[0][c], p[1][c]), p[2][c]).store_unaligned(s.least[c]);
-    xsimd::max(xsimd::max(p[0][c], p[1][c]), p[2][c]).store_unaligned(s.most[c]);
+    o.least[c] = xsimd::min(xsimd::min(p[0][c], p[1][c]), p[2][c]);
+    o.most[c] = xsimd::max(xsimd::max(p[0][c], p[1][c]), p[2][c]);
   }
   // Twice the area, positive where the corners run clockwise on the screen (y downwards).
   const Ints<A> x1 = p[1][0] - p[0][0], y1 = p[1][1] - p[0][1];
   const Ints<A> x2 = p[2][0] - p[0][0], y2 = p[2][1] - p[0][1];
   const Ints<A> area = wrapped_product<A>(x1, y2) - wrapped_product<A>(x2, y1);
   const auto turned = area < Ints<A>(0);
-  area.store_unaligned(s.area);
-  xsimd::select(turned, Ints<A>(1), Ints<A>(0)).store_unaligned(s.turned);
+  o.area = area;
+  o.turned = xsimd::select(turned, Ints<A>(1), Ints<A>(0));
   const Floats<A> scale = Floats<A>(kSubpixels) / to_floats<A>(area);
   const Floats<A> d1 = depth[1] - depth[0], d2 = depth[2] - depth[0];
-  ((d1 * to_floats<A>(y2) - d2 * to_floats<A>(y1)) * scale).store(s.slope_x);
-  ((d2 * to_floats<A>(x1) - d1 * to_floats<A>(x2)) * scale).store(s.slope_y);
+  o.slope_x = (d1 * to_floats<A>(y2) - d2 * to_floats<A>(y1)) * scale;
+  o.slope_y = (d2 * to_floats<A>(x1) - d1 * to_floats<A>(x2)) * scale;
   // Exchange the last two corners of those that run the other way.
   for (std::size_t c = 0; c < 2; ++c) {
     const Ints<A> second = xsimd::select(turned, p[2][c], p[1][c]);
@@ -63,13 +74,27 @@ SetUp<A> set_up(const FrameData& data, const Ints<A>& triangles) {
       as_floats<A>(xsimd::select(turned, as_ints<A>(depth[2]), as_ints<A>(depth[1])));
   depth[2] = as_floats<A>(xsimd::select(turned, as_ints<A>(depth[1]), as_ints<A>(depth[2])));
   depth[1] = second;
+  return o;
+}
+
+template <class A>
+SetUp<A> set_up(const Oriented<A>& o) {
+  SetUp<A> s;
+  for (std::size_t c = 0; c < 2; ++c) {
+    o.least[c].store_unaligned(s.least[c]);
+    o.most[c].store_unaligned(s.most[c]);
+  }
+  o.area.store_unaligned(s.area);
+  o.turned.store_unaligned(s.turned);
+  o.slope_x.store(s.slope_x);
+  o.slope_y.store(s.slope_y);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    p[i][0].store_unaligned(s.ax[i]);
-    p[i][1].store_unaligned(s.ay[i]);
-    (p[next][0] - p[i][0]).store_unaligned(s.dx[i]);
-    (p[next][1] - p[i][1]).store_unaligned(s.dy[i]);
-    depth[i].store(s.depth[i]);
+    o.at[i][0].store_unaligned(s.ax[i]);
+    o.at[i][1].store_unaligned(s.ay[i]);
+    (o.at[next][0] - o.at[i][0]).store_unaligned(s.dx[i]);
+    (o.at[next][1] - o.at[i][1]).store_unaligned(s.dy[i]);
+    o.depth[i].store(s.depth[i]);
   }
   return s;
 }

@@ -77,6 +77,19 @@ inline Ints<xsimd::avx512bw> gather(const std::int32_t* values,
 }
 #endif
 
+/// values[index] of each lane, of sixteen at an aligned address.
+template <class A>
+Ints<A> look_up(const std::array<std::int32_t, 16>& values, const Ints<A>& index) {
+  return gather(values.data(), index);
+}
+#ifdef __AVX512F__
+template <>
+inline Ints<xsimd::avx512bw> look_up<xsimd::avx512bw>(const std::array<std::int32_t, 16>& values,
+                                                      const Ints<xsimd::avx512bw>& index) {
+  return Ints<xsimd::avx512bw>(_mm512_permutexvar_epi32(index, _mm512_load_si512(values.data())));
+}
+#endif
+
 /// Each lane's lowest byte.
 template <class A>
 void store_bytes(const Ints<A>& values, std::uint8_t* to) {

@@ -154,9 +154,9 @@ Vec3<Floats<A>> bilinear(const Mipmap& mipmap, const Floats<A>& u, const Floats<
 
 template <class A>
 Levels<A> load_levels(const Mipmap& mipmap, const Ints<A>& level) {
-  static_assert(sizeof(MipLevel) == 4 * sizeof(std::int32_t));
-  const std::array<Ints<A>, 4> row = load_rows<A, 4>(mipmap.levels.data(), level << 2);
-  return {row[0], row[1], row[2], row[3]};
+  const MipLevels& all = mipmap.levels;
+  return {look_up<A>(all.widths, level), look_up<A>(all.heights, level),
+          look_up<A>(all.strides, level), look_up<A>(all.firsts, level)};
 }
 
 /// The level whose texels are as large as a pixel's footprint: the larger of its two sides, as
@@ -164,36 +164,46 @@ Levels<A> load_levels(const Mipmap& mipmap, const Ints<A>& level) {
 template <class A>
 Floats<A> level_of(const FrameData& data, const TextureSite<A>& site) {
   using S = Floats<A>;
-  const MipLevel& whole = data.texture.levels.front();
-  const S width(double(whole.width)), height(double(whole.height));
+  const MipLevels& levels = data.texture.levels;
+  const S width(double(levels.widths[0])), height(double(levels.heights[0]));
   const S x = site.u_x * width, y = site.v_x * height, z = site.u_y * width, w = site.v_y * height;
   const S square = max(max(x * x + y * y, z * z + w * w), S(1e-12));
-  const S level = log(square) * S(0.5 / 0.6931471805599453);
-  return min(max(level, S(0)), S(double(data.texture.levels.size() - 1)));
+  const S level = log2(square) * S(0.5);
+  return min(max(level, S(0)), S(double(levels.count - 1)));
+}
+
+/// Where the texture is read: coordinates in [0, 1] and the level, unless there is one alone.
+template <class A>
+struct TexturePlace {
+  Floats<A> u, v, level;
+};
+
+template <class A>
+TexturePlace<A> texture_place(const FrameData& data, const Interpolation<A>& at) {
+  using S = Floats<A>;
+  const TextureSite<A> site = texture_site<A>(data, at);
+  const bool clamped = data.options.wrapping == Wrapping::kClamp;
+  const auto wrapped = [&](const S& x) { return saturate(clamped ? x : x - floor(x)); };
+  TexturePlace<A> place{wrapped(site.u), wrapped(site.v), S(0)};
+  if (data.options.filter == Filter::kTrilinear) place.level = level_of<A>(data, site);
+  return place;
 }
 
 /// The texture there, as the material's form reads it.
 template <class A>
-Vec3<Floats<A>> texture_at(const FrameData& data, const Interpolation<A>& at) {
+Vec3<Floats<A>> texture_at(const FrameData& data, const TexturePlace<A>& place) {
   using S = Floats<A>;
   const Mipmap& texture = data.texture;
-  if (texture.levels.empty()) return constant_vec<S>(texture.color);
-  const TextureSite<A> site = texture_site<A>(data, at);
-  const bool clamped = data.options.wrapping == Wrapping::kClamp;
-  const auto wrapped = [&](const S& x) { return saturate(clamped ? x : x - floor(x)); };
-  const S u = wrapped(site.u), v = wrapped(site.v);
+  const S &u = place.u, &v = place.v, &level = place.level;
   if (data.options.filter == Filter::kBilinear) {
-    const MipLevel& whole = texture.levels.front();
-    return bilinear<A>(
-        texture, u, v,
-        {Ints<A>(whole.width), Ints<A>(whole.height), Ints<A>(whole.stride), Ints<A>(whole.first)});
+    return bilinear<A>(texture, u, v, load_levels<A>(texture, Ints<A>(0)));
   }
-  const S level = level_of<A>(data, site), finer = floor(level);
+  const S finer = floor(level);
   const Ints<A> first = to_ints<A>(finer);
   const Vec3<S> near = bilinear<A>(texture, u, v, load_levels<A>(texture, first));
   const S share = level - finer;
   if (!xsimd::any(share.v > 0.0f)) return near;
-  const Ints<A> next = xsimd::min(first + Ints<A>(1), Ints<A>(int(texture.levels.size()) - 1));
+  const Ints<A> next = xsimd::min(first + Ints<A>(1), Ints<A>(int(texture.levels.count) - 1));
   return near + (bilinear<A>(texture, u, v, load_levels<A>(texture, next)) - near) * share;
 }
 

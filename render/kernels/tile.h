@@ -1,51 +1,10 @@
 /// The last steps of a frame, a tile at a time: what is nearest, its colour, and the picture.
 #pragma once
 
-#include "render/kernels/coverage.h"
-#include "render/kernels/surface.h"
-
-// All that a function calls in it: calls would pass registers through memory. With the checks of
-// sanitizers such a function takes minutes to compile.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LUMAKNOT_FLAT
-#else
-#define LUMAKNOT_FLAT __attribute__((flatten))
-#endif
+#include "render/kernels/batch.h"
+#include "render/kernels/tiny.h"
 
 namespace lumaknot {
-
-/// Points of a tile that wait to be shaded together.
-template <class A>
-struct Waiting {
-  static constexpr std::size_t kWidth = Floats<A>::kWidth;
-  std::size_t count = 0;
-  std::int32_t triangle[kWidth];
-  float x[kWidth], y[kWidth];  ///< image points
-  float share[kWidth];         ///< of the pixel's samples
-  float* color[kWidth];        ///< of the pixel
-};
-
-/// The scene's numbers as packets.
-template <class A>
-Lighting<Floats<A>> packed(const Lighting<double>& from) {
-  using S = Floats<A>;
-  const auto vec = [](const Vec3d& v) { return Vec3<S>{S(v.x), S(v.y), S(v.z)}; };
-  Lighting<S> to;
-  to.eye_position = vec(from.eye_position);
-  for (const LightNumbers<double>& l : from.lights) {
-    to.lights.push_back({l.has_position, l.has_cone, vec(l.position), vec(l.direction),
-                         vec(l.color), S(l.constant), S(l.linear), S(l.quadratic), S(l.cos_outer),
-                         S(l.cone_scale)});
-  }
-  const ModelNumbers<double>& m = from.model;
-  to.model = {S(m.shininess), S(m.roughness), S(m.reflectance), S(m.darkness)};
-  to.ambient = vec(from.ambient);
-  to.diffuse = vec(from.diffuse);
-  to.specular = vec(from.specular);
-  to.emissive = vec(from.emissive);
-  to.luma_offset = S(from.luma_offset);
-  return to;
-}
 
 /// Draws one tile.
 template <class A>
@@ -54,7 +13,7 @@ class TilePainter {
   using S = Floats<A>;
 
   TilePainter(const FrameData& data, const Lighting<S>& lighting, TileMemory& memory, int tile)
-      : data_(data), lighting_(lighting), memory_(memory) {
+      : data_(data), memory_(memory), batch_(data, lighting) {
     const int x = tile % data.columns * kTile, y = tile / data.columns * kTile;
     target_ = {x,
                y,
@@ -101,7 +60,13 @@ class TilePainter {
       for (std::size_t k = 0; k < kWidth; ++k) {
         packet[k] = std::int32_t(triangles[i + std::min(k, last - 1)]);
       }
-      SetUp<A> s = set_up<A>(data_, Ints<A>::load_unaligned(packet));
+      const Ints<A> numbers = Ints<A>::load_unaligned(packet);
+      const Oriented<A> o = oriented<A>(data_, numbers);
+      if (tiny_ && are_tiny(o)) {
+        draw_tiny(o, numbers, data_.options.cull_back_faces, target_);
+        continue;
+      }
+      SetUp<A> s = set_up<A>(o);
       for (std::size_t k = 0; k < last; ++k) {
         draw_triangle<A>(s, k, triangles[i + k], data_.options.cull_back_faces, target_);
       }
@@ -122,7 +87,6 @@ class TilePainter {
   /// Block by block; those that see nothing are left out.
   void shade() {
     constexpr int kBlocks = kTile * kTile / int(S::kWidth), kAcross = kTile / kBlockWidth;
-    Waiting<A> waiting;
     for (int block = 0; block < kBlocks; ++block) {
       const std::size_t begin = std::size_t(block) * S::kWidth;
       const std::int32_t* samples = memory_.seen.data() + begin * data_.pattern.size();
@@ -134,41 +98,28 @@ class TilePainter {
       const int y = target_.y0 + block / kAcross * kBlockHeight<A>;
       float* colors = memory_.colors.data() + begin * 4;
       if (xsimd::all(uniform >= Ints<A>(0))) {
-        shade_whole(uniform, x, y, colors);
+        batch_.add_block({uniform, to_floats<A>(lane_columns<A>()) + S(x + 0.5),
+                          to_floats<A>(lane_rows<A>()) + S(y + 0.5)},
+                         colors);
       } else {
-        add_block(waiting, uniform, x, y, samples, colors);
+        add_pixels(uniform, x, y, samples, colors);
       }
     }
-    flush(waiting);
+    batch_.finish();
   }
 
-  /// A block each of whose pixels sees one triangle.
-  void shade_whole(const Ints<A>& seen, int x, int y, float* colors) const {
-    const Vec3<S> color = shaded({seen, to_floats<A>(lane_columns<A>()) + S(x + 0.5),
-                                  to_floats<A>(lane_rows<A>()) + S(y + 0.5)});
-    alignas(64) float r[S::kWidth], g[S::kWidth], b[S::kWidth];
-    color.x.store(r);
-    color.y.store(g);
-    color.z.store(b);
-    for (std::size_t i = 0; i < S::kWidth; ++i) {
-      colors[4 * i] = r[i];
-      colors[4 * i + 1] = g[i];
-      colors[4 * i + 2] = b[i];
-      colors[4 * i + 3] = 1;
-    }
-  }
-
-  void add_block(Waiting<A>& waiting, const Ints<A>& uniform, int x, int y,
-                 const std::int32_t* samples, float* colors) {
+  /// A block some of whose pixels see nothing or several triangles.
+  void add_pixels(const Ints<A>& uniform, int x, int y, const std::int32_t* samples,
+                  float* colors) {
     std::fill_n(colors, S::kWidth * 4, 0.0f);
     std::int32_t seen[S::kWidth];
     uniform.store_unaligned(seen);
     for (int lane = 0; lane < int(S::kWidth); ++lane) {
-      const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane * 4};
+      const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane};
       if (seen[lane] == kMixed) {
-        add_mixed(waiting, place, samples + lane);
+        add_mixed(place, samples + lane);
       } else if (seen[lane] != kNothing) {
-        add(waiting, seen[lane], place, 0.5f, 0.5f, 1);
+        add(seen[lane], place, 0.5f, 0.5f, 1);
       }
     }
   }
@@ -179,20 +130,13 @@ class TilePainter {
   };
 
   /// The point of a pixel where `triangle` is shaded, from the pixel's corner.
-  void add(Waiting<A>& waiting, std::int32_t triangle, const Place& place, float dx, float dy,
-           float share) {
-    const std::size_t k = waiting.count++;
-    waiting.triangle[k] = triangle;
-    waiting.x[k] = float(place.x) + dx;
-    waiting.y[k] = float(place.y) + dy;
-    waiting.share[k] = share;
-    waiting.color[k] = place.color;
-    if (waiting.count == Waiting<A>::kWidth) flush(waiting);
+  void add(std::int32_t triangle, const Place& place, float dx, float dy, float share) {
+    batch_.add_point(triangle, float(place.x) + dx, float(place.y) + dy, share, place.color);
   }
 
   /// Each triangle that samples of the pixel see, at the middle of those samples, so that nothing
   /// is extrapolated.
-  void add_mixed(Waiting<A>& waiting, const Place& place, const std::int32_t* samples) {
+  void add_mixed(const Place& place, const std::int32_t* samples) {
     const std::size_t count = data_.pattern.size();
     std::int32_t seen[16];
     for (std::size_t s = 0; s < count; ++s) seen[s] = samples[s * S::kWidth];
@@ -208,103 +152,59 @@ class TilePainter {
         seen[r] = same ? kNothing : seen[r];
       }
       const float scale = 1 / found;
-      add(waiting, triangle, place, x * scale, y * scale, found / float(count));
+      add(triangle, place, x * scale, y * scale, found / float(count));
     }
-  }
-
-  void flush(Waiting<A>& waiting) {
-    if (waiting.count == 0) return;
-    for (std::size_t k = waiting.count; k < Waiting<A>::kWidth; ++k) {
-      waiting.triangle[k] = waiting.triangle[0];
-      waiting.x[k] = waiting.x[0];
-      waiting.y[k] = waiting.y[0];
-    }
-    const Vec3<S> color =
-        shaded({Ints<A>::load_unaligned(waiting.triangle), S::load(waiting.x), S::load(waiting.y)});
-    float r[S::kWidth], g[S::kWidth], b[S::kWidth];
-    color.x.store(r);
-    color.y.store(g);
-    color.z.store(b);
-    for (std::size_t k = 0; k < waiting.count; ++k) {
-      float* to = waiting.color[k];
-      const float share = waiting.share[k];
-      to[0] += r[k] * share;
-      to[1] += g[k] * share;
-      to[2] += b[k] * share;
-      to[3] += share;
-    }
-    waiting.count = 0;
-  }
-
-  LUMAKNOT_FLAT Vec3<S> shaded(const Points<A>& p) const {
-    const Interpolation<A> at = interpolate<A>(data_, p);
-    const Vec3<S> texture = texture_at<A>(data_, at);
-    const Terms<S> terms =
-        data_.terms.empty() ? surface_terms(surface_point(p, at), lighting_.eye_position,
-                                            lighting_.lights, lighting_.model, data_.shot.material)
-                            : vertex_terms(at);
-    return stage_color<S>(texture, terms, lighting_, data_.shot);
-  }
-
-  /// The position by the ray through the image point, and the normal between the corners'.
-  SurfacePoint<S> surface_point(const Points<A>& p, const Interpolation<A>& at) const {
-    const Vec3<S> ray = constant_vec<S>(data_.corner_ray) + constant_vec<S>(data_.ray_x) * p.x +
-                        constant_vec<S>(data_.ray_y) * p.y;
-    const auto normal = [&](std::size_t c) {
-      return weighted<A>(at.weights, corner_members<A>(at, 3 + c));
-    };
-    return {lighting_.eye_position + ray * at.depth, {normal(0), normal(1), normal(2)}};
-  }
-
-  Terms<S> vertex_terms(const Interpolation<A>& at) const {
-    std::array<S, 6> sums;
-    const auto* terms = reinterpret_cast<const std::int32_t*>(data_.terms.data());
-    for (int c = 0; c < 6; ++c) {
-      std::array<S, 3> values;
-      for (std::size_t i = 0; i < 3; ++i) {
-        values[i] = as_floats<A>(gather(terms + c, at.corners[i] * Ints<A>(6)));
-      }
-      sums[std::size_t(c)] = weighted<A>(at.weights, values);
-    }
-    return {{sums[0], sums[1], sums[2]}, {sums[3], sums[4], sums[5]}};
   }
 
   /// The tile's colours into the picture; nothing where no block was touched.
   template <class Pixel>
   void put(Grid<Pixel>& picture, bool any) const {
-    const int width = target_.x1 - target_.x0;
-    for (int y = target_.y0; y < target_.y1; ++y) {
-      Pixel* to = &picture.at(target_.x0, y);
-      std::fill_n(to, width, Pixel{});
-      if (!any) continue;
-      const int row = (y - target_.y0) % kBlockHeight<A> * kBlockWidth;
-      for (int x = 0; x < width; x += kBlockWidth) {
-        const std::size_t begin = block_begin<A>(x, y - target_.y0);
-        if (!memory_.touched[begin / S::kWidth]) continue;
-        Pixel pixels[kBlockWidth];
-        convert(memory_.colors.data() + (begin + std::size_t(row)) * 4, pixels);
-        std::copy_n(pixels, std::min(kBlockWidth, width - x), to + x);
+    for (int y = target_.y0; y < target_.y1; y += kBlockHeight<A>) {
+      for (int x = target_.x0; x < target_.x1; x += kBlockWidth) {
+        const std::size_t begin = block_begin<A>(x - target_.x0, y - target_.y0);
+        alignas(64) std::array<Pixel, S::kWidth> pixels{};
+        if (any && memory_.touched[begin / S::kWidth]) {
+          convert(memory_.colors.data() + begin * 4, pixels);
+        }
+        const int columns = std::min(kBlockWidth, target_.x1 - x);
+        const int rows = std::min(kBlockHeight<A>, target_.y1 - y);
+        for (int row = 0; row < rows; ++row) {
+          const Pixel* from = pixels.data() + row * kBlockWidth;
+          Pixel* to = &picture.at(x, y + row);
+          if (columns == kBlockWidth) {
+            std::copy_n(from, kBlockWidth, to);  // of a size that the compiler knows
+          } else {
+            std::copy_n(from, columns, to);
+          }
+        }
       }
     }
   }
 
   /// Each limited to [0, 1], times 255; NaN becomes 0.
-  static void convert(const float* from, Rgba8* to) {
-    for (std::size_t i = 0; i < 4 * kBlockWidth; i += S::kWidth) {
-      const S limited = saturate(S::load(from + i));
+  static void convert(const float* from, std::array<Rgba8, S::kWidth>& to) {
+    static_assert(sizeof(Rgba8) == sizeof(std::int32_t));
+    Ints<A> packed(0);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const S limited = saturate(S::load(from + c * S::kWidth));
       const S number = select_less(limited, S(2), limited, S(0));
-      store_bytes(to_ints<A>(number * S(255) + S(0.5)), reinterpret_cast<std::uint8_t*>(to) + i);
+      packed = packed | to_ints<A>(number * S(255) + S(0.5)) << int(8 * c);
+    }
+    packed.store_aligned(reinterpret_cast<std::int32_t*>(to.data()));
+  }
+
+  static void convert(const float* from, std::array<RgbaPixel, S::kWidth>& to) {
+    constexpr std::size_t kWidth = S::kWidth;
+    for (std::size_t i = 0; i < kWidth; ++i) {
+      to[i] = {{from[i], from[kWidth + i], from[2 * kWidth + i]}, from[3 * kWidth + i]};
     }
   }
 
-  static void convert(const float* from, RgbaPixel* to) {
-    for (int i = 0; i < kBlockWidth; ++i, from += 4) to[i] = {{from[0], from[1], from[2]}, from[3]};
-  }
-
   const FrameData& data_;
-  const Lighting<S>& lighting_;
   TileMemory& memory_;
+  ShadingBatch<A> batch_;
   TileTarget target_;
+  bool tiny_ = data_.pattern.size() == 1 && data_.clipped.empty();
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 

@@ -86,6 +86,17 @@ TEST(FastCoverage, of_small_triangles_on_snapped_points_is_the_references) {
   }
 }
 
+// Triangles drawn several at once come in another order than the mesh's.
+TEST(FastCoverage, of_triangles_at_one_depth_is_the_later_ones) {
+  Scene scene = soup(8, 3000, 8, 512);
+  for (Vec3d& p : scene.mesh.positions) p = {p.x / (4 - p.z), p.y / (4 - p.z), 3};
+  for (const SimdLevel level : testing::simd_levels()) {
+    FastOptions options;
+    options.level = level;
+    expect_identical(scene, options);
+  }
+}
+
 TEST(FastCoverage, of_large_triangles_on_snapped_points_is_the_references) {
   for (const SimdLevel level : testing::simd_levels()) {
     FastOptions options;

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/terminal.h"
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "study/stability/atlas_report.h"
+#include "study/stability/regions.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StabilityFlags {
+  std::vector<std::string> regions;
+  std::string output;
+  bool list = false, resume = false;
+  Output out;
+};
+
+/// The regions that were asked for, all unless any were.
+std::vector<Region> chosen(const std::vector<std::string>& names) {
+  std::vector<Region> all = all_regions();
+  for (const std::string& name : names) {
+    if (std::ranges::find(all, name, &Region::name) != all.end()) continue;
+    throw Error(
+        fmt::format("there is no region \"{}\"; lumaknot stability --list names them", name));
+  }
+  if (names.empty()) return all;
+  std::erase_if(all,
+                [&](const Region& r) { return std::ranges::find(names, r.name) == names.end(); });
+  return all;
+}
+
+void write_pages(const Atlas& atlas, const fs::path& folder) {
+  write_file(folder / "atlas.json", atlas_json(atlas), "--output");
+  write_file(folder / "index.html", atlas_html(atlas), "--output");
+}
+
+void write_pictures(const Entry& entry, const fs::path& folder) {
+  fs::create_directories(folder / entry.name);
+  for (const Picture& picture : entry.pictures) {
+    write_file(folder / entry.name / picture.file, picture.png, "--output");
+  }
+}
+
+/// What an earlier run left in the folder, when it is to go on.
+Atlas begun(const StabilityFlags& flags) {
+  const fs::path file = fs::path(flags.output) / "atlas.json";
+  if (!flags.resume || !fs::exists(file)) return {};
+  return read_atlas(read_file(file, "--output"), flags.output, file.string());
+}
+
+bool has(const Atlas& atlas, const Region& region) {
+  return std::ranges::find(atlas.entries, region.name, &Entry::name) != atlas.entries.end();
+}
+
+/// Examines what `atlas` lacks of `regions`; pictures are written one region after the other.
+void examine_all(const std::vector<Region>& regions, const StabilityFlags& flags, Atlas& atlas) {
+  const std::function<void(double)> bar = progress_bar(flags.out, "stability");
+  const bool draws = !flags.output.empty();
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (has(atlas, regions[i])) continue;
+    atlas.entries.push_back(examine(regions[i], {.pictures = draws}, [&](double share) {
+      check_interrupted();
+      if (bar) bar((double(i) + share) / double(regions.size()));
+    }));
+    if (draws) write_pictures(atlas.entries.back(), flags.output);
+  }
+  if (flags.regions.empty() && atlas.energies.empty()) atlas.energies = energies();
+  if (bar) bar(1);
+}
+
+/// Regions in the order of the program's list, whichever run examined them.
+void sort_entries(Atlas& atlas) {
+  const std::vector<Region> order = all_regions();
+  std::ranges::stable_sort(atlas.entries, {}, [&](const Entry& e) {
+    return std::ranges::find(order, e.name, &Region::name) - order.begin();
+  });
+}
+
+void list_regions(const StabilityFlags& flags) {
+  for (const Region& r : chosen(flags.regions)) fmt::print("{:<25} {}\n", r.name, r.method);
+}
+
+void run(const StabilityFlags& flags) {
+  if (flags.list) return list_regions(flags);
+  const std::vector<Region> regions = chosen(flags.regions);
+  if (flags.resume && flags.output.empty()) throw Error("--resume needs --output, the folder");
+  if (!flags.output.empty()) {
+    std::error_code failed;
+    fs::create_directories(flags.output, failed);
+    if (failed) {
+      throw Error(fmt::format("--output {}: {}; give a folder", flags.output, failed.message()));
+    }
+    check_writable(fs::path(flags.output) / "index.html", "--output");
+  }
+  Atlas atlas = begun(flags);
+  try {
+    examine_all(regions, flags, atlas);
+  } catch (const Interrupted&) {
+    sort_entries(atlas);
+    if (flags.output.empty()) throw;
+    write_pages(atlas, flags.output);
+    fmt::print(stderr,
+               "\nlumaknot: {} of {} regions are in {}; the same command with --resume goes on\n",
+               atlas.entries.size(), regions.size(), flags.output);
+    throw;
+  }
+  sort_entries(atlas);
+  if (!flags.output.empty()) write_pages(atlas, flags.output);
+  if (flags.out.json) fmt::print("{}", atlas_json(atlas));
+  flags.out.say(atlas_text(atlas));
+  if (flags.output.empty()) return;
+  flags.out.say(fmt::format("{} regions; see {}", atlas.entries.size(),
+                            (fs::path(flags.output) / "index.html").string()));
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& program) {
+  auto flags = std::make_shared<StabilityFlags>();
+  CLI::App* command = program.add_subcommand(
+      "stability", "Find and draw where methods fail, with the reason and the remedy");
+  command->add_option("regions", flags->regions, "regions by name; all unless given");
+  command->add_option(
+      "-o,--output", flags->output,
+      "a folder for index.html, atlas.json and a folder of pictures for each region "
+      "(needs gnuplot); unless given, the boundaries alone");
+  command->add_flag("--list", flags->list, "only name the regions");
+  command->add_flag("--resume", flags->resume,
+                    "leave out what --output holds from a run that was stopped");
+  add_output_flags(*command, flags->out);
+  command->footer(
+      "Examples:\n"
+      "  lumaknot stability -o atlas/\n"
+      "  lumaknot stability --list\n"
+      "  lumaknot stability frenet-inflection phong-cutoff\n"
+      "  lumaknot stability -o atlas/ --resume");
+  command->callback([flags] {
+    const InterruptGuard guard;
+    run(*flags);
+  });
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,173 @@
+/// Triangles of a few pixels with one sample a pixel, a packet of them at once: a lane each, they
+/// walk their boxes in step, and what is inside is packed and then tested for depth.
+#pragma once
+
+#include "render/kernels/coverage.h"
+
+namespace lumaknot {
+
+/// At most this many pixels a side.
+inline constexpr int kTiny = 12;
+
+/// Whether draw_tiny() can draw the packet; without instructions that pack lanes, never.
+template <class A>
+bool are_tiny(const Oriented<A>&) {
+  return false;
+}
+template <class A>
+void draw_tiny(const Oriented<A>&, const Ints<A>&, bool, const TileTarget&) {}
+
+#ifdef __AVX512F__
+using Lanes = xsimd::avx512bw;
+
+inline bool are_tiny(const Oriented<Lanes>& o) {
+  const Ints<Lanes> side = xsimd::max(o.most[0] - o.least[0], o.most[1] - o.least[1]);
+  return xsimd::all(side <= Ints<Lanes>(kTiny * kSubpixels));
+}
+
+/// The boxes of pixels in which the triangles' samples may lie.
+struct TinyBoxes {
+  Ints<Lanes> x, y;   ///< the first pixel
+  __mmask16 drawn;    ///< whether there is any
+  int columns, rows;  ///< of the largest
+};
+
+inline TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarget& tile) {
+  using I = Ints<Lanes>;
+  TinyBoxes b;
+  b.x = xsimd::max(first_pixel<Lanes>(o.least[0], true), I(tile.x0));
+  b.y = xsimd::max(first_pixel<Lanes>(o.least[1], true), I(tile.y0));
+  const I x1 = xsimd::min(last_pixel<Lanes>(o.most[0], true), I(tile.x1 - 1));
+  const I y1 = xsimd::min(last_pixel<Lanes>(o.most[1], true), I(tile.y1 - 1));
+  const auto faces = cull ? o.area < I(0) : o.area != I(0);
+  b.drawn = __mmask16(faces && b.x <= x1 && b.y <= y1);
+  b.columns = _mm512_mask_reduce_max_epi32(b.drawn, x1 - b.x) + 1;
+  b.rows = _mm512_mask_reduce_max_epi32(b.drawn, y1 - b.y) + 1;
+  return b;
+}
+
+/// The complements of edge functions, negative inside: at the boxes' first pixels, and how they
+/// grow a pixel. Zero where nothing is drawn.
+struct TinyEdges {
+  std::array<__m512i, 3> first, right, down;
+};
+
+inline TinyEdges tiny_edges(const Oriented<Lanes>& o, const TinyBoxes& b) {
+  using I = Ints<Lanes>;
+  TinyEdges e;
+  const I x = (b.x << kSubpixelBits) + I(kSubpixels / 2);
+  const I y = (b.y << kSubpixelBits) + I(kSubpixels / 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto &from = o.at[i], &to = o.at[(i + 1) % 3];
+    const I dx = to[0] - from[0], dy = to[1] - from[1];
+    const auto owns = dy < I(0) || (dy == I(0) && dx > I(0));
+    const I outside =
+        wrapped_product<Lanes>(dy, x - from[0]) - wrapped_product<Lanes>(dx, y - from[1]);
+    e.first[i] = _mm512_maskz_sub_epi32(b.drawn, outside, xsimd::select(owns, I(1), I(0)));
+    e.right[i] = _mm512_maskz_slli_epi32(b.drawn, dy, kSubpixelBits);
+    e.down[i] = _mm512_maskz_slli_epi32(b.drawn, I(0) - dx, kSubpixelBits);
+  }
+  return e;
+}
+
+/// Samples inside, in any order, each as lane + 16 column + 256 row of its triangle's box.
+struct Hits {
+  std::size_t count = 0;
+  alignas(64) std::int32_t words[16 * (kTiny + 1) * (kTiny + 1) + 16];  // a packet is stored whole
+};
+
+inline void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
+  std::array<__m512i, 3> row = e.first;
+  for (int y = 0; y < b.rows; ++y) {
+    std::array<__m512i, 3> at = row;
+    __m512i word = _mm512_add_epi32(lane_numbers<Lanes>(), _mm512_set1_epi32(256 * y));
+    for (int x = 0; x < b.columns; ++x) {
+      const __mmask16 inside =
+          _mm512_movepi32_mask(_mm512_ternarylogic_epi32(at[0], at[1], at[2], 0x80));  // all three
+      _mm512_storeu_si512(hits.words + hits.count, _mm512_maskz_compress_epi32(inside, word));
+      hits.count += std::size_t(__builtin_popcount(inside));
+      for (std::size_t i = 0; i < 3; ++i) at[i] = _mm512_add_epi32(at[i], e.right[i]);
+      word = _mm512_add_epi32(word, _mm512_set1_epi32(16));
+    }
+    for (std::size_t i = 0; i < 3; ++i) row[i] = _mm512_add_epi32(row[i], e.down[i]);
+  }
+}
+
+/// Samples: their places in the tile's arrays, and inverse depths' bits above the triangles.
+struct Found {
+  alignas(64) std::int32_t at[16];
+  alignas(64) std::uint64_t key[16];
+};
+
+/// As keep_nearest(), sample by sample; of equal depths the later triangle's stays, in whatever
+/// order they come. A function of its own for its registers.
+[[gnu::noinline]] inline void keep_found(const Found& found, std::size_t count,
+                                         std::int32_t* __restrict depths,
+                                         std::int32_t* __restrict seen) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = std::uint32_t(found.at[i]);
+    const std::uint64_t before =
+        std::uint64_t(std::uint32_t(depths[at])) << 32 | std::uint32_t(seen[at]);
+    std::uint64_t best = std::max(before, found.key[i]);
+    asm("" : "+r"(best));  // no branch: it can't be foreseen
+    depths[at] = std::int32_t(best >> 32);
+    seen[at] = std::int32_t(best);
+  }
+}
+
+inline void store_keys(const Ints<Lanes>& depths, const Ints<Lanes>& triangles, Found& found) {
+  const __m512i low = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(8));
+  _mm512_store_si512(found.key, _mm512_permutex2var_epi32(triangles, low, depths));
+  _mm512_store_si512(found.key + 8, _mm512_permutex2var_epi32(triangles, high, depths));
+}
+
+/// Inverse depths of a packet's triangles.
+struct TinyDepths {
+  Floats<Lanes> first;  ///< at the boxes' first pixels
+  Floats<Lanes> least, most;
+};
+
+inline TinyDepths tiny_depths(const Oriented<Lanes>& o, const TinyBoxes& b) {
+  using S = Floats<Lanes>;
+  const auto from_corner = [&](const Ints<Lanes>& pixel, const Ints<Lanes>& corner) {
+    const Ints<Lanes> centre = (pixel << kSubpixelBits) + Ints<Lanes>(kSubpixels / 2);
+    return to_floats<Lanes>(centre - corner) * S(1.0 / kSubpixels);
+  };
+  return {o.depth[0] + o.slope_x * from_corner(b.x, o.at[0][0]) +
+              o.slope_y * from_corner(b.y, o.at[0][1]),
+          min(min(o.depth[0], o.depth[1]), o.depth[2]),
+          max(max(o.depth[0], o.depth[1]), o.depth[2])};
+}
+
+/// Draws a packet of tiny triangles, `numbers`, none of which was clipped.
+inline void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool cull,
+                      const TileTarget& tile) {
+  using I = Ints<Lanes>;
+  using S = Floats<Lanes>;
+  const TinyBoxes boxes = tiny_boxes(o, cull, tile);
+  Hits hits;
+  find_hits(tiny_edges(o, boxes), boxes, hits);
+  const TinyDepths depths = tiny_depths(o, boxes);
+  const I left = boxes.x - I(tile.x0), top = boxes.y - I(tile.y0);
+  for (std::size_t begin = 0; begin < hits.count; begin += 16) {
+    const I hit(_mm512_load_si512(hits.words + begin));
+    const auto whole = [&](const I& v) { return I(_mm512_permutexvar_epi32(hit, v)); };
+    const auto real = [&](const S& v) { return as_floats<Lanes>(whole(as_ints<Lanes>(v))); };
+    const I column = (hit >> 4) & I(15), row = hit >> 8;
+    const I x = whole(left) + column, y = whole(top) + row;
+    const S depth = real(depths.first) + real(o.slope_x) * to_floats<Lanes>(column) +
+                    real(o.slope_y) * to_floats<Lanes>(row);
+    // Beyond the tile's last pixel, which other lanes' boxes reach.
+    const auto beyond = x >= I(tile.x1 - tile.x0) || y >= I(tile.y1 - tile.y0);
+    const I at = (x & I(3)) + ((x >> 2) << 4) + ((y & I(3)) << 2) + ((y >> 2) << 8);
+    Found found;
+    xsimd::select(beyond, I(kTile * kTile), at).store_aligned(found.at);
+    store_keys(as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most))),
+               whole(numbers), found);
+    keep_found(found, std::min<std::size_t>(16, hits.count - begin), tile.depths, tile.seen);
+  }
+}
+#endif
+
+}  // namespace lumaknot

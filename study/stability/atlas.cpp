@@ -1,0 +1,155 @@
+#include "study/stability/atlas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exporters/image_file.h"
+#include "study/gnuplot.h"
+
+namespace lumaknot {
+namespace {
+
+std::vector<Measured> measure(const Measure& measure, const std::vector<double>& values,
+                              const std::function<void()>& tick) {
+  std::vector<Measured> result;
+  for (const double x : values) {
+    tick();
+    result.push_back({x, measure(x)});
+  }
+  return result;
+}
+
+/// The worst of the errors; no number when there are none, or one is none.
+double worst(const std::vector<Measured>& all) {
+  if (all.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double result = -std::numeric_limits<double>::infinity();
+  for (const Measured& m : all) {
+    if (std::isnan(m.error)) return m.error;
+    result = std::max(result, m.error);
+  }
+  return result;
+}
+
+void add_pictures(const Region& region, const AtlasOptions& options, Entry& entry) {
+  const double holding = region.shown_holds.value_or(region.sweep.from);
+  const double failing = region.shown_fails.value_or(region.sweep.to);
+  const auto add = [&](const Sketch& sketch, double x, const char* name, const char* caption) {
+    if (!sketch) return;
+    entry.pictures.push_back({fmt::format("{}, {:.4g}", caption, x), fmt::format("{}.png", name),
+                              sketch_png(sketch(x, options.side))});
+  };
+  entry.pictures.push_back({"chart", "chart.svg", sweep_chart(region, entry)});
+  add(region.sketch, holding, "holds", "holds");
+  add(region.sketch, failing, "fails", "fails");
+  add(region.guarded_sketch, failing, "remedy", "the remedy");
+  for (const Quantity& quantity : region.also) {
+    entry.also.push_back({quantity.name, quantity.measure(holding), quantity.measure(failing)});
+  }
+}
+
+}  // namespace
+
+Entry examine(const Region& region, const AtlasOptions& options,
+              const std::function<void(double)>& tick) {
+  const std::vector<double> values = swept_values(region.sweep, options.steps);
+  int done = 0;
+  const double all = double(values.size()) * (region.guarded ? 2 : 1) * 1.3;
+  const auto count = [&] { tick(std::min(done++ / all, 1.0)); };
+  Entry entry{region.name,
+              region.group,
+              region.method,
+              region.reason,
+              region.remedy,
+              region.sweep.parameter,
+              region.measured,
+              region.limit,
+              {},
+              0,
+              {},
+              {},
+              {},
+              {}};
+  entry.sweep = measure(region.error, values, count);
+  if (region.guarded) entry.guarded = measure(region.guarded, values, count);
+  entry.guarded_worst = worst(entry.guarded);
+  entry.boundary = find_boundary(region, entry.sweep);
+  if (options.pictures) add_pictures(region, options, entry);
+  return entry;
+}
+
+std::string sketch_png(const Image& image) {
+  Image shown = image;
+  for (RgbaPixel& pixel : shown.pixels) {
+    if (!is_finite(to_vec(pixel.color))) pixel.color = {1, 0, 1};
+  }
+  return display_png(shown);
+}
+
+namespace {
+
+/// `text` as gnuplot quotes it.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+/// Whether an axis from `least` to `most` is better logarithmic.
+bool spans_decades(double least, double most) { return least > 0 && most / least > 50; }
+
+std::string data_block(const char* name, const std::vector<Measured>& all, bool logarithmic) {
+  std::string text = fmt::format("${} << EOD\n", name);
+  for (const Measured& m : all) {
+    if (std::isfinite(m.error)) {
+      text +=
+          fmt::format("{:.9g} {:.9g}\n", m.x, logarithmic ? std::max(m.error, 1e-300) : m.error);
+    } else {
+      text += fmt::format("{:.9g} NaN\n", m.x);
+    }
+  }
+  return text + "EOD\n";
+}
+
+}  // namespace
+
+std::string sweep_chart(const Region& region, const Entry& entry) {
+  double least = entry.limit, most = entry.limit;
+  for (const std::vector<Measured>* list : {&entry.sweep, &entry.guarded}) {
+    for (const Measured& m : *list) {
+      if (!std::isfinite(m.error)) continue;
+      if (m.error > 0) least = std::min(least, m.error);
+      most = std::max(most, m.error);
+    }
+  }
+  const bool logarithmic = spans_decades(least, most);
+  least = std::max({least, most * 1e-12, entry.limit * 1e-6});
+  const Boundary& b = entry.boundary;
+  std::string script = data_block("method", entry.sweep, logarithmic) +
+                       data_block("remedy", entry.guarded, logarithmic);
+  script += fmt::format(
+      "set xlabel {}\nset title {} font ',10'\nset key bmargin center horizontal\nset grid\n",
+      quoted(region.sweep.parameter), quoted(region.measured));
+  if (region.sweep.logarithmic) script += "set logscale x\nset format x '%g'\n";
+  if (logarithmic) script += "set logscale y\nset format y '%.0e'\n";
+  const double from = region.sweep.from, to = region.sweep.to;
+  script += fmt::format("set xrange [{:.9g}:{:.9g}]\n", from, to);
+  script += logarithmic ? fmt::format("set yrange [{:.3g}:{:.3g}]\n", least / 2, most * 3)
+                        : fmt::format("set yrange [{}:{:.6g}]\n", "0", most * 1.15);
+  script += fmt::format(
+      "set object 1 rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fillcolor rgb "
+      "'#fbe3df' fillstyle solid noborder\n",
+      b.fails.x, to);
+  script += fmt::format(
+      "plot {:.9g} with lines linecolor rgb '#888888' dashtype 2 title 'limit', $method with "
+      "linespoints linecolor rgb '#c0392b' pointtype 7 pointsize 0.4 title 'method'{}",
+      entry.limit,
+      entry.guarded.empty() ? ""
+                            : ", $remedy with linespoints linecolor rgb '#1a7f37' pointtype 7 "
+                              "pointsize 0.4 title 'remedy'");
+  return draw_chart(script, ChartFormat::kSvg, 560, 340);
+}
+
+}  // namespace lumaknot

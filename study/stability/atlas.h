@@ -1,0 +1,53 @@
+/// The atlas: every region swept, its boundary found and drawn.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/stability/region.h"
+
+namespace lumaknot {
+
+/// A region's picture at one value.
+struct Picture {
+  std::string caption;
+  std::string file;  ///< its name in the region's folder
+  std::string png;
+};
+
+/// What another quantity came to where the method is shown holding and failing.
+struct AlsoMeasured {
+  std::string name;
+  double holds = 0, fails = 0;
+};
+
+/// A region examined.
+struct Entry {
+  std::string name, group, method, reason, remedy, parameter, measured;
+  double limit = 0;
+  Boundary boundary;
+  double guarded_worst = 0;  ///< of the remedy over the whole sweep; no number where there is none
+  std::vector<Measured> sweep, guarded;  ///< the chart's points
+  std::vector<AlsoMeasured> also;
+  std::vector<Picture> pictures;  ///< holding, failing, the remedy; and the chart
+};
+
+struct AtlasOptions {
+  bool pictures = true;  ///< charts and sketches; they need gnuplot
+  int steps = 40;        ///< of a sweep
+  int side = 200;        ///< of a sketch, pixels
+};
+
+/// Sweeps the region, finds its boundary and draws it. `tick` is called at each value with the
+/// finished share in [0, 1]; what it throws ends the work.
+Entry examine(const Region& region, const AtlasOptions& options,
+              const std::function<void(double)>& tick);
+
+/// `image` as PNG for the eye: pixels that are no numbers in magenta.
+std::string sketch_png(const Image& image);
+
+/// The chart of a region's sweep as SVG: error against parameter, the limit, the boundary.
+std::string sweep_chart(const Region& region, const Entry& entry);
+
+}  // namespace lumaknot

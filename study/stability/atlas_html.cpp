@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <kainjow/mustache.hpp>
+
+#include "exporters/image_file.h"
+#include "study/stability/atlas_report.h"
+
+namespace lumaknot {
+namespace embedded {
+std::string_view atlas_template();
+}
+namespace {
+
+namespace mustache = kainjow::mustache;
+using Data = mustache::data;
+
+Data picture_data(const Picture& picture) {
+  Data data;
+  data.set("caption", picture.caption);
+  data.set("type", picture.file.ends_with(".svg") ? "svg+xml" : "png");
+  data.set("class", picture.file.substr(0, picture.file.find('.')));
+  data.set("bytes", base64(picture.png));
+  return data;
+}
+
+Data also_data(const std::vector<AlsoMeasured>& also) {
+  Data list(Data::type::list);
+  for (const AlsoMeasured& a : also) {
+    Data row;
+    row.set("name", a.name);
+    row.set("holds", fmt::format("{:.4g}", a.holds));
+    row.set("fails", fmt::format("{:.4g}", a.fails));
+    list.push_back(row);
+  }
+  return list;
+}
+
+Data entry_data(const Entry& e) {
+  Data data, pictures(Data::type::list);
+  data.set("name", e.name);
+  data.set("method", e.method);
+  data.set("reason", e.reason);
+  data.set("remedy", e.remedy);
+  data.set("parameter", e.parameter);
+  data.set("measured", e.measured);
+  data.set("limit", fmt::format("{:.4g}", e.limit));
+  data.set("boundary", boundary_text(e.boundary));
+  data.set("holds", fmt::format("{:.4g}", e.boundary.holds.error));
+  data.set("fails", fmt::format("{:.4g}", e.boundary.fails.error));
+  data.set("worst", e.guarded.empty() ? "" : fmt::format("{:.3g}", e.guarded_worst));
+  data.set("also", also_data(e.also));
+  data.set("has_also", !e.also.empty());
+  for (const Picture& picture : e.pictures) pictures.push_back(picture_data(picture));
+  data.set("pictures", pictures);
+  return data;
+}
+
+Data groups_data(const Atlas& atlas) {
+  Data groups(Data::type::list), regions(Data::type::list);
+  const auto close = [&](const std::string& name) {
+    Data group;
+    group.set("group", name);
+    group.set("regions", regions);
+    groups.push_back(group);
+    regions = Data(Data::type::list);
+  };
+  for (std::size_t i = 0; i < atlas.entries.size(); ++i) {
+    const Entry& e = atlas.entries[i];
+    regions.push_back(entry_data(e));
+    const bool last = i + 1 == atlas.entries.size() || atlas.entries[i + 1].group != e.group;
+    if (last) close(e.group);
+  }
+  return groups;
+}
+
+Data energies_data(const std::vector<Energy>& energies) {
+  Data list(Data::type::list);
+  for (const Energy& e : energies) {
+    Data row;
+    row.set("term", e.term);
+    row.set("most", fmt::format("{:.4g}", e.most));
+    row.set("at", fmt::format("{:.0f}", e.at_degrees));
+    row.set("above",
+            e.above_degrees < 0 ? "never" : fmt::format("from {:.0f}° on", e.above_degrees));
+    row.set("class", e.above_degrees < 0 ? "holds" : "fails");
+    list.push_back(row);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string atlas_html(const Atlas& atlas) {
+  Data page;
+  page.set("count", std::to_string(atlas.entries.size()));
+  page.set("groups", groups_data(atlas));
+  page.set("energies", energies_data(atlas.energies));
+  page.set("has_energies", !atlas.energies.empty());
+  mustache::mustache layout{std::string(embedded::atlas_template())};
+  return layout.render(page);
+}
+
+}  // namespace lumaknot

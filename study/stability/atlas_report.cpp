@@ -1,0 +1,157 @@
+#include "study/stability/atlas_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+
+namespace lumaknot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+double number_of(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Json pair(const Measured& m) { return {number(m.x), number(m.error)}; }
+
+Measured pair_of(const Json& json) { return {number_of(json.at(0)), number_of(json.at(1))}; }
+
+Json pairs(const std::vector<Measured>& all) {
+  Json list = Json::array();
+  for (const Measured& m : all) list.push_back(pair(m));
+  return list;
+}
+
+std::vector<Measured> pairs_of(const Json& json) {
+  std::vector<Measured> all;
+  for (const Json& each : json) all.push_back(pair_of(each));
+  return all;
+}
+
+/// The texts of an entry, by their keys.
+template <class E>
+auto texts_of(E& e) {
+  return std::array{std::pair{"name", &e.name},        std::pair{"group", &e.group},
+                    std::pair{"method", &e.method},    std::pair{"reason", &e.reason},
+                    std::pair{"remedy", &e.remedy},    std::pair{"parameter", &e.parameter},
+                    std::pair{"measured", &e.measured}};
+}
+
+Json entry_json(const Entry& e) {
+  Json json;
+  for (const auto& [key, text] : texts_of(e)) json[key] = *text;
+  json["limit"] = e.limit;
+  json["holds"] = pair(e.boundary.holds);
+  json["fails"] = pair(e.boundary.fails);
+  json["remedy_worst"] = number(e.guarded_worst);
+  json["sweep"] = pairs(e.sweep);
+  json["remedy_sweep"] = pairs(e.guarded);
+  json["also"] = Json::array();
+  for (const AlsoMeasured& a : e.also) {
+    json["also"].push_back(
+        {{"name", a.name}, {"holds", number(a.holds)}, {"fails", number(a.fails)}});
+  }
+  json["pictures"] = Json::array();
+  for (const Picture& p : e.pictures) {
+    json["pictures"].push_back({{"caption", p.caption}, {"file", p.file}});
+  }
+  return json;
+}
+
+Entry entry_of(const Json& json, const std::filesystem::path& folder) {
+  Entry e;
+  for (const auto& [key, text] : texts_of(e)) *text = json.at(key);
+  e.limit = json.at("limit");
+  e.boundary = {pair_of(json.at("holds")), pair_of(json.at("fails"))};
+  e.guarded_worst = number_of(json.at("remedy_worst"));
+  e.sweep = pairs_of(json.at("sweep"));
+  e.guarded = pairs_of(json.at("remedy_sweep"));
+  for (const Json& a : json.at("also")) {
+    e.also.push_back({a.at("name"), number_of(a.at("holds")), number_of(a.at("fails"))});
+  }
+  for (const Json& p : json.at("pictures")) {
+    const std::string file = p.at("file");
+    e.pictures.push_back({p.at("caption"), file, read_file(folder / e.name / file, "--output")});
+  }
+  return e;
+}
+
+Json energies_json(const std::vector<Energy>& energies) {
+  Json list = Json::array();
+  for (const Energy& e : energies) {
+    list.push_back(
+        {{"term", e.term},
+         {"most", e.most},
+         {"at_degrees", e.at_degrees},
+         {"above_degrees", e.above_degrees < 0 ? Json(nullptr) : Json(e.above_degrees)}});
+  }
+  return list;
+}
+
+std::string energy_line(const Energy& e) {
+  return fmt::format("{:<38} {:>9.4g} at {:2.0f} degrees  {}\n", e.term, e.most, e.at_degrees,
+                     e.above_degrees < 0
+                         ? "never above 1"
+                         : fmt::format("above 1 from {} degrees on", e.above_degrees));
+}
+
+}  // namespace
+
+std::string boundary_text(const Boundary& b) {
+  for (int digits = 3; digits < 17; ++digits) {
+    const std::string holds = fmt::format("{:.{}g}", b.holds.x, digits);
+    const std::string fails = fmt::format("{:.{}g}", b.fails.x, digits);
+    if (holds != fails) return holds + " -> " + fails;
+  }
+  return fmt::format("{} -> {}", b.holds.x, b.fails.x);
+}
+
+std::string atlas_text(const Atlas& atlas) {
+  std::string text;
+  std::string_view group;
+  for (const Entry& e : atlas.entries) {
+    if (e.group != group) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", e.group);
+    group = e.group;
+    text += fmt::format("  {:<25} {:<27} {}\n", e.name, boundary_text(e.boundary), e.parameter);
+  }
+  if (atlas.energies.empty()) return text;
+  text += "\nEnergy: the most that comes back of the light that arrives\n";
+  for (const Energy& e : atlas.energies) text += "  " + energy_line(e);
+  return text;
+}
+
+std::string atlas_json(const Atlas& atlas) {
+  Json json;
+  json["regions"] = Json::array();
+  for (const Entry& e : atlas.entries) json["regions"].push_back(entry_json(e));
+  json["energies"] = energies_json(atlas.energies);
+  return json.dump(2) + "\n";
+}
+
+Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
+                 std::string_view label) try {
+  const Json json = Json::parse(text);
+  Atlas atlas;
+  for (const Json& region : json.at("regions")) {
+    atlas.entries.push_back(entry_of(region, folder));
+  }
+  for (const Json& e : json.at("energies")) {
+    const Json& above = e.at("above_degrees");
+    atlas.energies.push_back({e.at("term"), e.at("most"), e.at("at_degrees"),
+                              above.is_null() ? -1 : above.get<double>()});
+  }
+  return atlas;
+} catch (const nlohmann::json::exception& e) {
+  throw Error(
+      fmt::format("{} is no atlas ({}); remove it, or leave out --resume", label, e.what()));
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,35 @@
+/// The atlas told: as text, JSON and a page.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/stability/atlas.h"
+#include "study/stability/energy.h"
+
+namespace lumaknot {
+
+struct Atlas {
+  std::vector<Entry> entries;
+  std::vector<Energy> energies;
+};
+
+/// A table for a terminal: a line for each region, then the energies.
+std::string atlas_text(const Atlas& atlas);
+
+/// JSON, two spaces deep, ending in a newline. What is no number is null.
+std::string atlas_json(const Atlas& atlas);
+
+/// The atlas that atlas_json() told, its pictures read from `folder`/NAME/. Throws Error calling
+/// the text `label` when it is none.
+Atlas read_atlas(std::string_view json, const std::filesystem::path& folder,
+                 std::string_view label);
+
+/// One HTML page that needs nothing else.
+std::string atlas_html(const Atlas& atlas);
+
+/// "0.38 -> 0.37", the boundary from holding to failing in as many digits as tell its sides apart.
+std::string boundary_text(const Boundary& boundary);
+
+}  // namespace lumaknot

@@ -1,0 +1,32 @@
+/// How much of the light that arrives a lighting model sends back.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "shaders/terms.h"
+
+namespace lumaknot {
+
+/// One of the terms of a lighting model, its numbers bound, for a white light of intensity 1.
+using Term = std::function<double(const Directions<double>&)>;
+
+/// The reflected share of the light that comes in `incidence` radians off the normal, below a right
+/// angle: the integral of term n.v over the hemisphere of eyes by pi n.l. A white Lambert surface
+/// has 1. Midpoints, 160 x 160 over half the hemisphere: 1e-3 for the
+/// terms here, 5e-3 where one is infinite at the horizon.
+double reflected_share(const Term& term, double incidence);
+
+/// The most that a term reflects, over incidences from 0 to 89 degrees.
+struct Energy {
+  std::string term;           ///< its name and numbers
+  double most = 0;            ///< the share
+  double at_degrees = 0;      ///< the incidence
+  double above_degrees = -1;  ///< from which incidence on it is above 1; negative: never
+};
+
+/// Every model's diffuse and specular term, by the numbers of the default material and at the ends.
+std::vector<Energy> energies();
+
+}  // namespace lumaknot

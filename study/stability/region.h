@@ -1,0 +1,75 @@
+/// A place where a method breaks: what is swept, what is measured, and where it goes wrong.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/image.h"
+
+namespace lumaknot {
+
+/// A parameter on its way from where the method holds to where it fails.
+struct Sweep {
+  std::string parameter;  ///< with its unit
+  double from = 0, to = 1;
+  bool logarithmic = false;  ///< both ends > 0, steps are factors
+  bool whole = false;        ///< whole numbers only
+};
+
+/// What a method or its remedy comes to at a value of the swept parameter.
+using Measure = std::function<double(double x)>;
+/// A picture of it, side x side pixels. Pixels that are no numbers stay so.
+using Sketch = std::function<Image(double x, int side)>;
+
+/// Another quantity that is told beside the error.
+struct Quantity {
+  std::string name;  ///< with its unit
+  Measure measure;
+};
+
+/// A method and where it fails: where its error is above `limit`, or no number.
+struct Region {
+  std::string name;   ///< letters, digits and '-'
+  std::string group;  ///< the chapter of the page
+  std::string method, reason, remedy;
+  Sweep sweep;
+  std::string measured;  ///< what the error is, with its unit
+  double limit = 0;
+  Measure error;
+  Measure
+      guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
+  std::vector<Quantity> also;                      ///< told at the values that are shown
+  Sketch sketch, guarded_sketch;                   ///< or nothing
+  std::optional<double> shown_holds, shown_fails;  ///< where sketches are drawn; else the ends
+};
+
+/// Whether `error` is a number and within the region's limit.
+bool holds(const Region& region, double error);
+
+/// The parameter at the share `s` in [0, 1] of the way.
+double at_share(const Sweep& sweep, double s);
+
+/// `steps` + 1 values evenly from end to end, each once.
+std::vector<double> swept_values(const Sweep& sweep, int steps);
+
+/// A value and what was measured there.
+struct Measured {
+  double x = 0, error = 0;
+};
+
+/// Two neighbouring values between which the method breaks.
+struct Boundary {
+  Measured holds, fails;
+};
+
+inline constexpr double kBoundaryTolerance = 1e-6;  ///< of the way; of whole numbers the next
+
+/// Where the method first breaks on its way along `sweep`, which are values of it in their order
+/// with their errors: the first that fails and its neighbour, brought together by bisection until
+/// they are neighbours or kBoundaryTolerance apart. Throws std::logic_error when the first value
+/// fails or none does.
+Boundary find_boundary(const Region& region, const std::vector<Measured>& sweep);
+
+}  // namespace lumaknot

@@ -1,0 +1,15 @@
+/// What is wrong with a tube.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// How deep the tube of the knot's first component reaches into itself, as a share of its radius:
+/// the most that one of 128 x 24 points of it is nearer to the centre line than the radius.
+double overlap(const KnotSpec& knot);
+
+/// How far the grid's triangles are from the exact tube, as a share of its radius.
+double chord_share(const KnotSpec& knot);
+
+}  // namespace lumaknot

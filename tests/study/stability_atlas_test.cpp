@@ -1,0 +1,122 @@
+// How boundaries are found and told.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "study/stability/atlas_report.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Holds up to x = `at`.
+Region step_at(double at, const Sweep& sweep) {
+  Region region;
+  region.name = "step";
+  region.group = "Steps";
+  region.method = "a <step>";
+  region.sweep = sweep;
+  region.limit = 1;
+  region.error = [at, rising = sweep.to > sweep.from](double x) {
+    return (rising ? x <= at : x >= at) ? 0.5 : std::numeric_limits<double>::quiet_NaN();
+  };
+  region.guarded = [](double) { return 0.25; };
+  return region;
+}
+
+Boundary boundary_of(const Region& region) {
+  return examine(region, {.pictures = false}, [](double) {}).boundary;
+}
+
+TEST(Boundary, is_bisected_to_a_millionth_of_the_way) {
+  const Boundary rising = boundary_of(step_at(0.3, {"x", 0, 2}));
+  EXPECT_LE(rising.holds.x, 0.3);
+  EXPECT_GT(rising.fails.x, 0.3);
+  EXPECT_LE(rising.fails.x - rising.holds.x, 2e-6);
+  const Boundary falling = boundary_of(step_at(1e-20, {"x", 1, 1e-30, true}));
+  EXPECT_GE(falling.holds.x, 1e-20);
+  EXPECT_LT(falling.fails.x, 1e-20);
+  EXPECT_LE(std::log(falling.holds.x / falling.fails.x), 1e-6 * std::log(1e30) * 1.001);
+}
+
+TEST(Boundary, of_whole_numbers_lies_between_neighbours) {
+  for (const bool logarithmic : {false, true}) {
+    for (const double at : {1.0, 2.0, 37.0, 99999.0}) {
+      const Boundary found = boundary_of(step_at(at, {"n", 1, 1e5, logarithmic, true}));
+      EXPECT_EQ(found.holds.x, at);
+      EXPECT_EQ(found.fails.x, at + 1);
+    }
+  }
+  EXPECT_EQ(boundary_of(step_at(7, {"n", 40, 3, true, true})).fails.x, 6);
+}
+
+TEST(Boundary, must_be_on_the_way) {
+  EXPECT_THROW(boundary_of(step_at(3, {"x", 0, 2})), std::logic_error);
+  EXPECT_THROW(boundary_of(step_at(-1, {"x", 0, 2})), std::logic_error);
+}
+
+TEST(Atlas, text_tells_sides_apart) {
+  EXPECT_EQ(boundary_text({{7, 0}, {6, 0}}), "7 -> 6");
+  EXPECT_EQ(boundary_text({{0.30000001, 0}, {0.3000001, 0}}), "0.3 -> 0.3000001");
+}
+
+TEST(Atlas, survives_json_with_its_pictures) {
+  Region region = step_at(0.3, {"x", 0, 2});
+  region.sketch = [](double x, int side) {
+    Image image(side, side);
+    image.pixels[0].color.r = x > 0.3 ? std::numeric_limits<float>::quiet_NaN() : 0;
+    return image;
+  };
+  region.also = {{"twice", [](double x) { return 2 * x; }}};
+  const Atlas atlas{{examine(region, {.side = 8}, [](double) {})}, {{"Lambert", 1, 0, -1}}};
+  const Entry& entry = atlas.entries[0];
+  EXPECT_EQ(entry.guarded_worst, 0.25);
+  EXPECT_EQ(entry.also[0].fails, 4);
+  ASSERT_EQ(entry.pictures.size(), 3u);  // chart, holds, fails
+  const PrivateFolder folder;
+  std::filesystem::create_directories(folder.path() / "step");
+  for (const Picture& p : entry.pictures) write_file(folder.path() / "step" / p.file, p.png, "-o");
+  const std::string json = atlas_json(atlas);
+  EXPECT_EQ(atlas_json(read_atlas(json, folder.path(), "a")), json);
+  EXPECT_EQ(atlas_html(read_atlas(json, folder.path(), "a")), atlas_html(atlas));
+  EXPECT_TRUE(nlohmann::json::parse(json)["regions"][0]["fails"][1].is_null());
+  EXPECT_THAT(atlas_html(atlas), HasSubstr("a &lt;step&gt;"));
+}
+
+TEST(Atlas, refuses_what_is_none) {
+  EXPECT_THROW(read_atlas("{}", ".", "a"), Error);
+  EXPECT_THROW(read_atlas("x", ".", "a"), Error);
+}
+
+TEST(Atlas, shows_what_is_no_number_in_magenta) {
+  Image broken(1, 1), magenta(1, 1);
+  broken.pixels[0].color.g = std::numeric_limits<float>::infinity();
+  magenta.pixels[0].color = {1, 0, 1};
+  EXPECT_EQ(sketch_png(broken), sketch_png(magenta));
+}
+
+TEST(Energy, of_lambert_is_all_and_of_minnaert_what_its_integral_says) {
+  const auto minnaert = [](double k) {
+    return [k](const Directions<double>& d) { return minnaert_diffuse(d, k); };
+  };
+  // Midpoints, and the guard of the product at 1e-4.
+  EXPECT_NEAR(reflected_share(minnaert(1), 1.2), 1, 1e-9);
+  EXPECT_NEAR(reflected_share(minnaert(0.5), 0), 2 / 1.5, 5e-3);  // infinite at the horizon
+  EXPECT_NEAR(reflected_share(minnaert(3), 0.5), std::pow(std::cos(0.5), 2) * 2 / 4, 1e-4);
+}
+
+TEST(Energy, of_phong_head_on_is_two_by_k_plus_two) {
+  for (const double k : {1.0, 10.0}) {
+    const auto phong = [k](const Directions<double>& d) { return phong_highlight(d, k); };
+    EXPECT_NEAR(reflected_share(phong, 0), 2 / (k + 2), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace lumaknot
