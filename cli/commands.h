@@ -24,6 +24,7 @@ void add_validate_command(CLI::App& program, int& exit_code);
 void add_bench_command(CLI::App& program);
 void add_chart_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
+void add_budget_command(CLI::App& program);
 void add_doctor_command(CLI::App& program);
 void add_completion_command(CLI::App& program);
 

@@ -41,6 +41,7 @@ int run_program(int argc, char** argv) {
   add_bench_command(program);
   add_chart_command(program);
   add_stability_command(program);
+  add_budget_command(program);
   add_doctor_command(program);
   add_completion_command(program);
   try {

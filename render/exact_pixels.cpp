@@ -13,11 +13,23 @@ double size_of(const Sample& s) {
       {std::abs(s.color.x), std::abs(s.color.y), std::abs(s.color.z), std::abs(s.coverage)});
 }
 
-/// A square of a pixel with the mean of the samples at its quarters' centres.
+/// A square of a pixel with nine samples: at its corners, between them and at its centre.
 struct Cell {
-  double x, y, side;  ///< top left corner and side, pixels
-  Sample mean;
-  double error;  ///< estimated, of the mean, times the area
+  double x, y, side;              ///< top left corner and side, pixels
+  std::array<Sample, 9> samples;  ///< row by row
+  double error;                   ///< estimated, of the mean, times the area
+
+  double area() const { return side * side; }
+
+  /// Simpson's rule in both directions.
+  Sample mean() const {
+    const auto& [a, b, c, d, e, f, g, h, i] = samples;
+    return (a + c + g + i + (b + d + f + h) * 4 + e * 16) * (1 / 36.0);
+  }
+  /// How far that is from the mean of the corners.
+  double bend() const {
+    return size_of(mean() - (samples[0] + samples[2] + samples[6] + samples[8]) * 0.25);
+  }
 };
 
 /// The mean over the pixel whose top left corner is (x, y); `sample` gives the one at a point.
@@ -25,58 +37,84 @@ template <class SampleAt>
 class AreaPixel {
  public:
   AreaPixel(const SampleAt& sample, double x, double y, double tolerance) : sample_(sample) {
-    quarter({x, y, 1, mean_of(x, y, 1), 1});
+    Cell pixel{x, y, 1, {}, 0};
+    for (std::size_t k = 0; k < 9; ++k) {
+      pixel.samples[k] = sample(x + 0.5 * double(k % 3), y + 0.5 * double(k / 3));
+    }
+    quarter(pixel);
     while (error() > tolerance && cells_.size() < kMostCells) {
-      const auto worst = std::ranges::max_element(cells_, {}, &Cell::error);
-      const Cell cell = *worst;
-      *worst = cells_.back();
+      std::ranges::pop_heap(cells_, {}, &Cell::error);
+      const Cell cell = cells_.back();
       cells_.pop_back();
+      sum_ -= cell.error;
+      squares_ -= cell.error * cell.error;
       quarter(cell);
     }
   }
 
   PixelTruth result() const {
     Sample sum;
-    for (const Cell& cell : cells_) sum = sum + cell.mean * (cell.side * cell.side);
+    for (const Cell& cell : cells_) sum = sum + cell.mean() * cell.area();
     return {sum, error()};
   }
 
  private:
-  static constexpr std::size_t kMostCells = 1 << 12;
+  static constexpr std::size_t kMostCells = 1 << 13;
 
-  double error() const {
-    double sum = 0;
-    for (const Cell& cell : cells_) sum += cell.error;
-    return sum;
-  }
+  /// Errors of many cells go either way: three standard deviations, if that is less than their sum.
+  double error() const { return std::min(sum_, 3 * std::sqrt(std::max(squares_, 0.0))); }
 
-  Sample mean_of(double x, double y, double side) const {
-    Sample sum;
-    for (const auto& [i, j] : {std::array{1, 1}, {3, 1}, {1, 3}, {3, 3}}) {
-      sum = sum + sample_(x + side * i / 4, y + side * j / 4);
+  /// The samples of `cell` and sixteen between them, five by five.
+  std::array<Sample, 25> denser(const Cell& cell) const {
+    std::array<Sample, 25> grid;
+    for (std::size_t k = 0; k < 25; ++k) {
+      const std::size_t i = k % 5, j = k / 5;
+      const double step = cell.side / 4;
+      grid[k] = i % 2 == 0 && j % 2 == 0
+                    ? cell.samples[j / 2 * 3 + i / 2]
+                    : sample_(cell.x + step * double(i), cell.y + step * double(j));
     }
-    return sum * 0.25;
+    return grid;
   }
 
-  /// The parts share the difference that quartering made. Across an edge each halving leaves 0.35
-  /// of it on the average, elsewhere less, so it stands for all that is left.
-  void quarter(const Cell& cell) {
+  std::array<Cell, 4> parts_of(const Cell& cell) const {
+    const std::array<Sample, 25> grid = denser(cell);
     const double half = cell.side / 2;
     std::array<Cell, 4> parts;
-    Sample fine;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double x = cell.x + half * double(k % 2), y = cell.y + half * double(k / 2);
-      parts[k] = {x, y, half, mean_of(x, y, half), 0};
-      fine = fine + parts[k].mean * 0.25;
+      const std::size_t right = k % 2, down = k / 2;
+      parts[k] = {cell.x + half * double(right), cell.y + half * double(down), half, {}, 0};
+      for (std::size_t n = 0; n < 9; ++n) {
+        parts[k].samples[n] = grid[(2 * down + n / 3) * 5 + 2 * right + n % 3];
+      }
     }
+    return parts;
+  }
+
+  /// What this changes in the mean is taken for the error that is left, the parts' shares as they
+  /// bend; and each errs by a quarter of its bend at least.
+  void quarter(const Cell& cell) {
+    std::array<Cell, 4> parts = parts_of(cell);
+    Sample fine;
+    double bends = 0;
+    for (const Cell& part : parts) {
+      fine = fine + part.mean() * 0.25;
+      bends += part.bend();
+    }
+    const double change = size_of(fine - cell.mean()) * cell.area();
     for (Cell& part : parts) {
-      part.error = size_of(fine - cell.mean) * part.side * part.side;
+      const double share = bends > 0 ? part.bend() / bends : 0.25;
+      part.error = std::max(change * share, part.bend() * part.area() / 4);
+      sum_ += part.error;
+      squares_ += part.error * part.error;
       cells_.push_back(part);
+      std::ranges::push_heap(cells_, {}, &Cell::error);
     }
   }
 
   const SampleAt& sample_;
-  std::vector<Cell> cells_;
+  std::vector<Cell> cells_;  // a heap, the largest error first
+  double sum_ = 0, squares_ = 0;
 };
 
 /// Lagrange's polynomials through 0, 1/2 and 1.

@@ -53,6 +53,18 @@ struct Between {
   bool positive() const { return low > 0; }
   bool negative() const { return high < 0; }
   bool has_sign() const { return positive() || negative(); }
+
+  friend Between operator+(const Between& a, const Between& b) {
+    return {a.low + b.low, a.high + b.high};
+  }
+  friend Between operator-(const Between& a, const Between& b) {
+    return {a.low - b.high, a.high - b.low};
+  }
+  friend Between operator*(const Between& a, const Between& b) {
+    const double products[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    const auto [low, high] = std::ranges::minmax(products);
+    return {low, high};
+  }
 };
 
 Between around(double middle, double spread) { return {middle - spread, middle + spread}; }
@@ -171,7 +183,7 @@ class TubeRays::Search {
     if (inside.high < -rounding) return;
     if (!within_range(middle, inside, h * piece.first)) return;
     const bool within = inside.low > rounding;
-    if ((within || bending.has_sign()) && one_root_at_most(piece, middle, inside, away)) {
+    if ((within || bending.has_sign()) && one_root_at_most(piece, middle, inside, bending, away)) {
       if (within) return roots_between(piece.curve, piece.from, start, piece.to, end);
       return split_at_extreme(piece, start, end, bending.negative());
     }
@@ -185,25 +197,23 @@ class TubeRays::Search {
     return middle.foot + reach >= beyond_ && middle.foot - reach <= nearest_;
   }
 
-  /// Whether F' has one sign at all roots of the interval, for entry and exit each.
+  /// Whether, for entry and exit each, F has no root in the interval or F' one sign at all of them.
   bool one_root_at_most(const Piece& piece, const Glance& middle, const Between& inside,
-                        double away) const {
+                        const Between& bending, double away) const {
     if (piece.thin) return true;
     const CurvePoint& at = piece.middle;
     const double h = piece.half();
     const double least = std::sqrt(std::max(inside.low, 0.0)),
                  most = std::sqrt(std::max(inside.high, 0.0));
-    const double plain = dot(at.first, at.first) + dot(middle.away, at.second);
-    const double turning = dot(direction_, at.second);
-    const Between across = around(turning, h * piece.third);
-    const double spread = h * (3 * piece.first * piece.second + away * piece.third);
-    const auto has_sign = [&](double low, double high) {  // -+ sqrt(D) within these
-      const double products[] = {low * across.low, low * across.high, high * across.low,
-                                 high * across.high};
-      const auto [smallest, largest] = std::ranges::minmax(products);
-      return Between{plain - spread - largest, plain + spread - smallest}.has_sign();
+    const Between slope = around(middle.slope / 2, h / 2 * std::max(-bending.low, bending.high));
+    const Between advance = around(middle.advance, h * piece.second);
+    const Between plain = around(dot(at.first, at.first) + dot(middle.away, at.second),
+                                 h * (3 * piece.first * piece.second + away * piece.third));
+    const Between turning = around(dot(direction_, at.second), h * piece.third);
+    const auto decided = [&](const Between& shift) {  // -+ sqrt(D) lies within
+      return (slope + shift * advance).has_sign() || (plain - shift * turning).has_sign();
     };
-    return has_sign(-most, -least) && has_sign(least, most);
+    return decided({-most, -least}) && decided({least, most});
   }
 
   void split_at_extreme(const Piece& piece, const Glance& start, const Glance& end, bool concave) {

@@ -15,8 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 TEST_F(Program, every_command_has_help_with_an_example) {
-  for (const std::string command : {"scene", "mesh", "render", "export", "shader", "validate",
-                                    "bench", "doctor", "completion"}) {
+  for (const std::string command : {"scene", "mesh", "render", "export", "shader", "budget",
+                                    "validate", "bench", "doctor", "completion"}) {
     const Ended ended = lumaknot({command, "--help"});
     EXPECT_EQ(ended.exit_code, 0);
     EXPECT_THAT(ended.log, AllOf(HasSubstr("Example"), HasSubstr("lumaknot " + command)));
@@ -126,6 +126,16 @@ TEST_F(Program, files_of_a_scene_are_looked_for_beside_it) {
   write("sub/scene.json", R"({"mesh": {"file": "k.obj"}, "texture": {"color": [0.5, 0.5, 0.9]}})");
   const Ended ended = lumaknot({"render", "sub/scene.json", "-o", "out.png"});
   EXPECT_EQ(ended.exit_code, 0) << ended.log;
+}
+
+TEST_F(Program, truth_and_budget_need_a_knot_with_an_exact_surface) {
+  write("file.json", R"({"mesh": {"file": "mesh.obj"}, "texture": {"color": [1, 1, 1]}})");
+  write("three.json", R"({"mesh": {"knot": {"convention": "three"}}})");
+  expect_refused({"render", "file.json", "--truth", "-o", "out.png"}, "--truth needs mesh.knot");
+  expect_refused({"render", "three.json", "--truth", "-o", "out.png"}, "has no exact surface");
+  expect_refused({"render", "figure2", "--truth", "exact", "-o", "out.png"}, "--truth");
+  expect_refused({"budget", "file.json"}, "a budget needs mesh.knot");
+  EXPECT_THAT(files(), ::testing::ElementsAre("file.json", "three.json"));
 }
 
 TEST_F(Program, validate_without_renderers_says_so_in_its_exit_code_and_report) {

@@ -1,0 +1,41 @@
+/// Points of a knot's mesh and of its exact tube, each with the normals of both.
+#pragma once
+
+#include <vector>
+
+#include "meshgen/knot_mesh.h"
+#include "render/exact_tube.h"
+
+namespace lumaknot {
+
+/// What a sample sees, by the parameters of the tube.
+struct KnotSample {
+  Fragment seen;            ///< the normal as interpolated between the mesh's vertices
+  double t = 0, theta = 0;  ///< radians
+};
+
+/// The grid of a knot's mesh as a map of its parameters.
+class KnotGrid {
+ public:
+  /// `mesh` is knot_mesh(knot), and is kept by reference.
+  KnotGrid(const KnotSpec& knot, const TriangleMesh& mesh);
+
+  /// A fragment of the mesh.
+  KnotSample of_mesh(const Fragment& fragment) const;
+
+  /// A fragment of the exact tube, its normal as the mesh interpolates it there.
+  KnotSample of_tube(const ExactFragment& fragment) const;
+
+  /// The exact normal at the sample's parameters.
+  Vec3d exact_normal(const KnotSample& sample) const;
+
+ private:
+  Vec3d interpolated_normal(std::size_t component, double t, double theta) const;
+
+  KnotSpec knot_;
+  const TriangleMesh& mesh_;
+  GridLayout layout_;
+  std::vector<Spine> spines_;
+};
+
+}  // namespace lumaknot
