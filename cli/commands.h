@@ -22,6 +22,7 @@ void add_export_command(CLI::App& program);
 void add_shader_command(CLI::App& program);
 void add_validate_command(CLI::App& program, int& exit_code);
 void add_bench_command(CLI::App& program);
+void add_chart_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
 void add_budget_command(CLI::App& program);
 void add_doctor_command(CLI::App& program);

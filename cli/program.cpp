@@ -39,6 +39,7 @@ int run_program(int argc, char** argv) {
   add_shader_command(program);
   add_validate_command(program, exit_code);
   add_bench_command(program);
+  add_chart_command(program);
   add_stability_command(program);
   add_budget_command(program);
   add_doctor_command(program);

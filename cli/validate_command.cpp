@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/output_folder.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
@@ -81,16 +82,6 @@ std::string repeat_command(const ValidateFlags& flags) {
   return command;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    throw Error(fmt::format("--output {} can't be made a folder: {}; choose another place",
-                            folder.string(), error.message()));
-  }
-  const AtomicFile writable(folder / "report.html", "--output");
-}
-
 /// A line on what a renderer's pictures came to.
 std::string summary(const Judgement& judgement) {
   std::string line = fmt::format("{:<8} ", judgement.rendering.renderer);
@@ -122,7 +113,7 @@ int run(ValidateFlags flags) {
                     flags.programs};
   check_number("--time-limit", flags.time_limit, kPositive);
   job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
-  make_folder(flags.output);
+  make_output_folder(flags.output, "report.html");
   const bool tells = isatty(STDERR_FILENO) && !flags.out.quiet;
   const Validation validation = validate(job, [&](const std::string& line) {
     if (tells) fmt::print(stderr, "{}\n", line);

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "render/shading.h"
+#include "shaders/half.h"
 #include "shaders/lighting.h"
 
 namespace lumaknot {
@@ -14,7 +15,9 @@ namespace {
 constexpr int kBandHeight = 16;  // rows of pixels handed to a thread at once
 
 /// Averages each n x n block of shaded fragments into rows of `image` from `row` on.
-void resolve(const Shading& shading, int n, const Grid<Fragment>& band, int row, Image& image) {
+template <class S>
+void resolve(const ShadingIn<S>& shading, int n, const Grid<Fragment>& band, int row,
+             Image& image) {
   for (int y = 0; y < band.height / n; ++y) {
     for (int x = 0; x < image.width; ++x) {
       Vec3d sum;
@@ -28,6 +31,28 @@ void resolve(const Shading& shading, int n, const Grid<Fragment>& band, int row,
       image.at(x, row + y) = {to_rgb(sum / samples), float(covered / samples)};
     }
   }
+}
+
+/// The scene, shaded in the number type S.
+template <class S>
+Image render_in(const Scene& scene, const Progress& progress) {
+  const ImageSpec& spec = scene.view.image;
+  const int n = spec.samples;
+  const int rows = std::max(1, kBandHeight / n);  // of pixels a band
+  const Rasterizer rasterizer(scene.mesh, scene.view.camera, spec.width * n, spec.height * n,
+                              rows * n);
+  const Shot shot{"final", Stage::kFinal, scene.view.material};
+  const ShadingIn<S> shading(scene, shot);
+  Image image(spec.width, spec.height);
+  std::mutex reporting;
+  int finished = 0;
+  oneapi::tbb::parallel_for(0, rasterizer.bands(), [&](int b) {
+    resolve(shading, n, rasterizer.band(b), b * rows, image);
+    if (!progress) return;
+    const std::lock_guard lock(reporting);
+    progress(double(++finished) / rasterizer.bands());
+  });
+  return image;
 }
 
 }  // namespace
@@ -73,23 +98,11 @@ Image compose(const Scene& scene, const Shot& shot, const Image& texture, const 
 }
 
 Image render(const Scene& scene, const Progress& progress) {
-  const ImageSpec& spec = scene.view.image;
-  const int n = spec.samples;
-  const int rows = std::max(1, kBandHeight / n);  // of pixels a band
-  const Rasterizer rasterizer(scene.mesh, scene.view.camera, spec.width * n, spec.height * n,
-                              rows * n);
-  const Shot shot{"final", Stage::kFinal, scene.view.material};
-  const Shading shading(scene, shot);
-  Image image(spec.width, spec.height);
-  std::mutex reporting;
-  int finished = 0;
-  oneapi::tbb::parallel_for(0, rasterizer.bands(), [&](int b) {
-    resolve(shading, n, rasterizer.band(b), b * rows, image);
-    if (!progress) return;
-    const std::lock_guard lock(reporting);
-    progress(double(++finished) / rasterizer.bands());
-  });
-  return image;
+  return render_in<double>(scene, progress);
+}
+
+Image render_in_half(const Scene& scene, const Progress& progress) {
+  return render_in<Half>(scene, progress);
 }
 
 }  // namespace lumaknot

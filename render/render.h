@@ -31,4 +31,9 @@ Image compose(const Scene& scene, const Shot& shot, const Image& texture, const 
 /// whatever their number.
 Image render(const Scene& scene, const Progress& progress = {});
 
+/// The same with all light and colour computed in half precision (shaders/half.h), as a fragment
+/// shader of `mediump` may: positions and normals reach it rounded. Infinite and undefined colours
+/// stay.
+Image render_in_half(const Scene& scene, const Progress& progress = {});
+
 }  // namespace lumaknot

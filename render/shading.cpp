@@ -1,44 +1,64 @@
 #include "render/shading.h"
 
 #include "render/texture.h"
+#include "shaders/half.h"
 
 namespace lumaknot {
+namespace {
 
-Shading::Shading(const Scene& scene, const Shot& shot)
+double as_double(double x) { return x; }
+double as_double(Half x) { return double(x.value); }
+
+}  // namespace
+
+template <class S>
+ShadingIn<S>::ShadingIn(const Scene& scene, const Shot& shot)
     : scene_(scene),
       shot_(shot),
-      lighting_(lighting_of<double>(scene.view, shot.material)),
+      lighting_(lighting_of<S>(scene.view, shot.material)),
       needs_texture_(shot.stage == Stage::kTexture || shot.stage == Stage::kFinal) {}
 
-Vec3d Shading::color(const Fragment& fragment) const {
+template <class S>
+Vec3d ShadingIn<S>::color(const Fragment& fragment) const {
   if (!fragment.covered()) return {};
   return color(fragment, needs_texture_ ? texture_color(scene_.texture, fragment.uv) : Vec3d{});
 }
 
-Vec3d Shading::color(const Fragment& fragment, const Vec3d& texture) const {
+template <class S>
+Vec3d ShadingIn<S>::color(const Fragment& fragment, const Vec3d& texture) const {
   if (!fragment.covered()) return {};
-  const Vec3d value = needs_texture_ ? texture_value(texture, shot_.material) : Vec3d{};
-  if (shot_.stage == Stage::kTexture) return stage_color(value, {}, lighting_, shot_);
-  const bool at_vertices = shot_.material.rate == Rate::kVertex;
-  const Terms<double> terms =
-      at_vertices ? interpolated_terms(fragment) : terms_at({fragment.position, fragment.normal});
-  return stage_color(value, terms, lighting_, shot_);
+  const Vec<S> value =
+      constant_vec<S>(needs_texture_ ? texture_value(texture, shot_.material) : Vec3d{});
+  Terms<S> terms;
+  if (shot_.stage != Stage::kTexture) {
+    const bool at_vertices = shot_.material.rate == Rate::kVertex;
+    terms =
+        at_vertices ? interpolated_terms(fragment) : terms_at(fragment.position, fragment.normal);
+  }
+  const Vec<S> shaded = stage_color(value, terms, lighting_, shot_);
+  return {as_double(shaded.x), as_double(shaded.y), as_double(shaded.z)};
 }
 
-Terms<double> Shading::terms_at(const SurfacePoint<double>& point) const {
+template <class S>
+Terms<S> ShadingIn<S>::terms_at(const Vec3d& position, const Vec3d& normal) const {
+  const SurfacePoint<S> point{constant_vec<S>(position), constant_vec<S>(normal)};
   return surface_terms(point, lighting_.eye_position, lighting_.lights, lighting_.model,
                        shot_.material);
 }
 
-Terms<double> Shading::interpolated_terms(const Fragment& fragment) const {
-  Terms<double> sum;
+template <class S>
+Terms<S> ShadingIn<S>::interpolated_terms(const Fragment& fragment) const {
+  Terms<S> sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = scene_.mesh.triangles[std::size_t(fragment.triangle)][i];
-    const Terms<double> corner = terms_at({scene_.mesh.positions[v], scene_.mesh.normals[v]});
-    sum.diffuse = sum.diffuse + corner.diffuse * fragment.weights[i];
-    sum.specular = sum.specular + corner.specular * fragment.weights[i];
+    const Terms<S> corner = terms_at(scene_.mesh.positions[v], scene_.mesh.normals[v]);
+    sum.diffuse = sum.diffuse + corner.diffuse * S(fragment.weights[i]);
+    sum.specular = sum.specular + corner.specular * S(fragment.weights[i]);
   }
   return sum;
 }
+
+template class ShadingIn<double>;
+template class ShadingIn<Half>;
 
 }  // namespace lumaknot

@@ -7,10 +7,12 @@
 
 namespace lumaknot {
 
-/// Colours of a shot in double; keeps the scene and the shot by reference.
-class Shading {
+/// Colours of a shot, computed in the number type S, double or Half; keeps the scene and the shot
+/// by reference.
+template <class S>
+class ShadingIn {
  public:
-  Shading(const Scene& scene, const Shot& shot);
+  ShadingIn(const Scene& scene, const Shot& shot);
 
   /// The colour where the fragment lies, the texture bilinear; black where nothing is seen.
   Vec3d color(const Fragment& fragment) const;
@@ -19,13 +21,15 @@ class Shading {
   Vec3d color(const Fragment& fragment, const Vec3d& texture) const;
 
  private:
-  Terms<double> terms_at(const SurfacePoint<double>& point) const;
-  Terms<double> interpolated_terms(const Fragment& fragment) const;
+  Terms<S> terms_at(const Vec3d& position, const Vec3d& normal) const;
+  Terms<S> interpolated_terms(const Fragment& fragment) const;
 
   const Scene& scene_;
   const Shot& shot_;
-  Lighting<double> lighting_;
+  Lighting<S> lighting_;
   bool needs_texture_;
 };
+
+using Shading = ShadingIn<double>;
 
 }  // namespace lumaknot

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace lumaknot {
 
@@ -11,6 +12,14 @@ double median(std::vector<double> values) {
   std::ranges::nth_element(values, middle);
   if (values.size() % 2 == 1) return *middle;
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double quantile(std::vector<double> values, double share) {
+  assert(!values.empty() && share > 0 && share <= 1);
+  const auto rank = std::size_t(std::ceil(share * double(values.size())));
+  const auto place = values.begin() + std::ptrdiff_t(std::max<std::size_t>(rank, 1) - 1);
+  std::ranges::nth_element(values, place);
+  return *place;
 }
 
 Spread spread_of(std::span<const double> values) {

@@ -14,6 +14,10 @@ struct Spread {
 /// The middle of `values`, which must not be empty; of an even number the mean of the middle two.
 double median(std::vector<double> values);
 
+/// The least of `values`, which must not be empty, that `share` of them don't exceed; share in
+/// (0, 1].
+double quantile(std::vector<double> values, double share);
+
 /// Of `values`, which must not be empty.
 Spread spread_of(std::span<const double> values);
 

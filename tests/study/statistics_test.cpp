@@ -29,5 +29,12 @@ TEST(Statistics, paired_ratio_does_not_see_that_the_machine_slows_down) {
   EXPECT_EQ(paired_ratio(above, below), 1.25);
 }
 
+TEST(Statistics, a_quantile_is_the_least_value_that_the_share_does_not_exceed) {
+  const std::vector<double> values{4, 1, 3, 2};
+  EXPECT_EQ(quantile(values, 0.25), 1);
+  EXPECT_EQ(quantile(values, 0.26), 2);
+  EXPECT_EQ(quantile(values, 1), 4);
+}
+
 }  // namespace
 }  // namespace lumaknot

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/output_folder.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "scene/fields.h"
+#include "study/chart.h"
+#include "study/gnuplot.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ChartFlags {
+  std::string scene = "figure2", output = "chart", metric = "rmse";
+  std::vector<std::string> spaces;
+  int rounds = 8;
+  bool alone = false;
+  Output out;
+};
+
+const Metric& metric_called(const std::string& name) {
+  return *std::ranges::find(chart_metrics(), name, &Metric::name);
+}
+
+/// Those asked for, else the scene's own and YIQ.
+std::vector<Space> spaces_of(const ChartFlags& flags, const Material& material) {
+  if (flags.spaces.empty()) {
+    if (material.space == Space::kYiq) return {Space::kYiq};
+    return {material.space, Space::kYiq};
+  }
+  std::vector<Space> spaces;
+  for (const std::string& name : flags.spaces) {
+    const auto found = std::ranges::find(kSpaceNames, name);
+    const Space space = Space(found - kSpaceNames.begin());
+    if (std::ranges::count(spaces, space) == 0) spaces.push_back(space);
+  }
+  return spaces;
+}
+
+std::string where_it_stands(const fs::path& folder) {
+  const fs::path file = folder / "chart.json";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return "interrupted; nothing is kept yet";
+  const auto chart = chart_from_json(read_file(file, "chart.json"));
+  if (!chart) return "interrupted";
+  return fmt::format(
+      "interrupted; {} of {} points are measured and kept in {}; the same command goes on",
+      finished_points(*chart), chart->points.size(), folder.string());
+}
+
+void write_all(const Chart& chart, const ChartFlags& flags) {
+  const fs::path folder = flags.output;
+  const ChartPicture picture = chart_picture(chart, metric_called(flags.metric));
+  const auto drawn = [&](ChartFormat format) {
+    return draw_chart(picture.script, format, picture.width, picture.height);
+  };
+  const auto write = [&](const char* name, const std::string& bytes) {
+    write_file(folder / name, bytes, "--output");
+  };
+  write("chart.svg", drawn(ChartFormat::kSvg));
+  write("chart.png", drawn(ChartFormat::kPng));
+  write("chart.csv", chart_csv(chart));
+  write("chart.html", chart_html(chart, flags.scene));
+}
+
+void check_gnuplot() {
+  if (find_program("gnuplot").empty()) {
+    throw Error("gnuplot is not here; apt-get install gnuplot-nox");
+  }
+}
+
+void run(const ChartFlags& flags) {
+  check_gnuplot();
+  const SceneInput input = read_scene(flags.scene);
+  ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
+               flags.rounds,      !flags.alone,    flags.metric};
+  make_output_folder(flags.output, "chart.json");
+  try {
+    const Chart chart =
+        measure_chart(job, flags.output, progress_bar(flags.out, "chart"),
+                      [&](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
+    write_all(chart, flags);
+    if (flags.out.json) fmt::print("{}", chart_json(chart));
+    flags.out.say(chart_text(chart, metric_called(flags.metric)));
+    flags.out.say(fmt::format("{} points; see {}", chart.points.size(),
+                              (fs::path(flags.output) / "chart.html").string()));
+  } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(flags.output));
+    throw;
+  }
+}
+
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const Metric& metric : chart_metrics()) names.emplace_back(metric.name);
+  return names;
+}
+
+}  // namespace
+
+void add_chart_command(CLI::App& program) {
+  auto flags = std::make_shared<ChartFlags>();
+  CLI::App* command = program.add_subcommand(
+      "chart", "Chart every method's time against its error, the Pareto front marked");
+  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", flags->output,
+                   "the folder for chart.html, .svg, .png, .csv and .json; a chart that was begun "
+                   "there goes on")
+      ->capture_default_str();
+  command
+      ->add_option("--metric", flags->metric, "of chart.svg and .png; chart.html lets one choose")
+      ->check(CLI::IsMember(metric_names()))
+      ->capture_default_str();
+  command
+      ->add_option("--space", flags->spaces,
+                   "spaces to draw in, divided by commas; unless given the scene's own and yiq")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(std::vector<std::string>(kSpaceNames.begin(), kSpaceNames.end())));
+  command->add_option("--rounds", flags->rounds, "rounds, each of which times every method")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--alone", flags->alone, "without llvmpipe, Cycles, POV-Ray and Eevee");
+  add_output_flags(*command, flags->out);
+  command->footer(
+      "Ctrl-C keeps what was measured; the same command goes on.\n"
+      "Examples:\n"
+      "  lumaknot chart -o chart/\n"
+      "  lumaknot chart scene.json --metric flip -o chart/\n"
+      "  lumaknot chart figure1-back --space yiq,cielab,cieluv --alone -o chart/");
+  command->callback([flags] {
+    const InterruptGuard guard;
+    run(*flags);
+  });
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,16 @@
+/// What a chart was measured of, as short keys. Inside the chart alone.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace lumaknot {
+
+/// Of all numbers, the mesh and the texture's pixels.
+std::string scene_key(const Scene& scene, const MeshSpec& mesh);
+
+/// Of this program's file, the processor's cores and its name.
+std::string program_key();
+
+}  // namespace lumaknot

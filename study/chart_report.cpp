@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scene/fields.h"
+#include "study/chart.h"
+
+namespace lumaknot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Metric kMetrics[] = {
+    {"rmse", "RMSE of all channels", &Errors::rmse},
+    {"p99.9", "99.9 % of pixels' largest channels differ by less", &Errors::p999},
+    {"max", "largest difference of a channel", &Errors::max},
+    {"deltae", "mean CIEDE2000", &Errors::delta_e},
+    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &Errors::delta_e_p999},
+    {"deltae-max", "largest CIEDE2000", &Errors::delta_e_max},
+    {"flip", "mean FLIP at 67 pixels a degree", &Errors::flip}};
+
+Json method_json(const Method& m) {
+  return {{"segments", m.segments},  {"sides", m.sides},          {"rate", int(m.rate)},
+          {"space", int(m.space)},   {"formula", int(m.formula)}, {"number", int(m.number)},
+          {"filter", int(m.filter)}, {"samples", m.samples}};
+}
+
+Method method_from(const Json& json) {
+  return {json.at("segments"),
+          json.at("sides"),
+          Rate(json.at("rate").get<int>()),
+          Space(json.at("space").get<int>()),
+          Formula(json.at("formula").get<int>()),
+          Number(json.at("number").get<int>()),
+          Filter(json.at("filter").get<int>()),
+          json.at("samples")};
+}
+
+Json errors_json(const Errors& errors) {
+  Json json;
+  for (const Metric& metric : kMetrics) json[std::string(metric.name)] = errors.*metric.value;
+  return json;
+}
+
+Json point_json(const Chart& chart, const ChartPoint& point) {
+  Json json{{"name", point.name}};
+  if (point.method) json["method"] = method_json(*point.method);
+  json["space"] = kSpaceNames[std::size_t(point.space)];
+  if (!point.how.empty()) json["how"] = point.how;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    if (point.errors[truth]) {
+      json["errors"][std::string(kTruthNames[truth])] = errors_json(*point.errors[truth]);
+    }
+  }
+  if (const auto time = frame_time(chart, point)) {
+    json["milliseconds"] = {{"median", time->median}, {"least", time->least}, {"most", time->most}};
+  }
+  json["rounds"] = {{"ratios", point.ratios}, {"milliseconds", point.milliseconds}};
+  return json;
+}
+
+ChartPoint point_from(const Json& json) {
+  ChartPoint point;
+  point.name = json.at("name");
+  if (json.contains("method")) point.method = method_from(json["method"]);
+  const auto space = std::ranges::find(kSpaceNames, json.at("space").get<std::string>());
+  point.space = Space(space - kSpaceNames.begin());
+  point.how = json.value("how", "");
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    const std::string name(kTruthNames[truth]);
+    if (!json.contains("errors") || !json["errors"].contains(name)) continue;
+    Errors errors;
+    for (const Metric& metric : kMetrics) {
+      errors.*metric.value = json["errors"][name].at(std::string(metric.name));
+    }
+    point.errors[truth] = errors;
+  }
+  point.ratios = json.at("rounds").at("ratios").get<std::vector<double>>();
+  point.milliseconds = json.at("rounds").at("milliseconds").get<std::vector<double>>();
+  return point;
+}
+
+Json front_json(const Chart& chart, const Metric& metric, std::size_t truth, Space space) {
+  Json names = Json::array();
+  for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+    names.push_back(chart.points[i].name);
+  }
+  return names;
+}
+
+/// By truth, metric and space.
+Json fronts_json(const Chart& chart) {
+  Json fronts;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    for (const Metric& metric : kMetrics) {
+      Json& all = fronts[std::string(kTruthNames[truth])][std::string(metric.name)];
+      for (const Space space : spaces_in(chart)) {
+        all[std::string(kSpaceNames[std::size_t(space)])] = front_json(chart, metric, truth, space);
+      }
+    }
+  }
+  return fronts;
+}
+
+/// `text` as a field of a table.
+std::string quoted(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
+}  // namespace
+
+std::span<const Metric> chart_metrics() { return kMetrics; }
+
+std::string chart_json(const Chart& chart) {
+  Json json{
+      {"scene", chart.scene_key},   {"program", chart.program_key}, {"complete", chart.complete},
+      {"width", chart.width},       {"height", chart.height},       {"truth", chart.truth},
+      {"baseline", chart.baseline}, {"same_time", kSameTime},       {"same_error", kSameError}};
+  if (chart.complete) json["fronts"] = fronts_json(chart);
+  json["points"] = json["missing"] = Json::array();
+  for (const ChartPoint& point : chart.points) json["points"].push_back(point_json(chart, point));
+  for (const MissingPoint& m : chart.missing) {
+    json["missing"].push_back({{"name", m.name}, {"why", m.why}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::optional<Chart> chart_from_json(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Chart chart{json.at("scene"),
+                json.at("program"),
+                json.at("width"),
+                json.at("height"),
+                json.at("truth"),
+                json.at("baseline"),
+                {},
+                {},
+                json.at("complete")};
+    for (const Json& point : json.at("points")) chart.points.push_back(point_from(point));
+    for (const Json& m : json.at("missing")) chart.missing.push_back({m.at("name"), m.at("why")});
+    return chart;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string chart_csv(const Chart& chart) {
+  std::string text = "name,milliseconds,least,most";
+  for (const std::string_view truth : kTruthNames) {
+    for (const Metric& metric : kMetrics) text += fmt::format(",{} {}", truth, metric.name);
+  }
+  text += "\n";
+  for (const ChartPoint& point : chart.points) {
+    text += quoted(point.name);
+    const auto time = frame_time(chart, point);
+    text += time ? fmt::format(",{},{},{}", time->median, time->least, time->most) : ",,,";
+    for (const auto& errors : point.errors) {
+      for (const Metric& metric : kMetrics) {
+        text += errors ? fmt::format(",{}", (*errors).*metric.value) : ",";
+      }
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string chart_text(const Chart& chart, const Metric& metric) {
+  constexpr int kName = 46;
+  std::string text;
+  for (const Space space : spaces_in(chart)) {
+    for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+      text += fmt::format("{:<{}}  {:>9}  {:>8}  {}\n",
+                          fmt::format("front in {}, from the {} truth",
+                                      kSpaceNames[std::size_t(space)], kTruthNames[truth]),
+                          kName, metric.name, "ms", "least..most");
+      for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+        const ChartPoint& point = chart.points[i];
+        const Spread time = *frame_time(chart, point);
+        text +=
+            fmt::format("  {:<{}}  {:>9.3g}  {:>8.2f}  {:.2f}..{:.2f}\n", point.name, kName - 2,
+                        (*point.errors[truth]).*metric.value, time.median, time.least, time.most);
+      }
+    }
+  }
+  for (const MissingPoint& m : chart.missing) {
+    text += fmt::format("{}  missing: {}\n", m.name, m.why);
+  }
+  return text + fmt::format(
+                    "Errors from the exact picture in a method's own space: {}.\nTimes "
+                    "within {:.0f} % and errors within {:.0f} % count as equal.",
+                    chart.truth, 100 * kSameTime, 100 * kSameError);
+}
+
+}  // namespace lumaknot
