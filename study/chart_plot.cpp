@@ -85,7 +85,7 @@ int front_lines(const Chart& chart, const Metric& metric, std::size_t truth) {
 
 /// Each other program's name at its first point. Some draw in the same time to the same error.
 std::string other_labels(const Chart& chart, const Metric& metric, std::size_t truth) {
-  constexpr std::array<const char*, 4> kPlaces{"right offset -0.8,0", "right offset -0.8,-0.6",
+  constexpr std::array<const char*, 4> kPlaces{"left offset 0.8,-0.7", "right offset -0.8,-0.6",
                                                "right offset -0.8,0.4", "left offset 0.9,0"};
   std::string labels;
   std::vector<std::string> named;
@@ -169,17 +169,21 @@ std::string panel_data(const Chart& chart, const Metric& metric, std::size_t tru
   return text;
 }
 
-/// All errors of the chart, with some room about them.
-std::string error_range(const Chart& chart, const Metric& metric) {
-  double least = 1, most = kLeast;
+/// All times and errors of the chart, with some room about them.
+std::string ranges(const Chart& chart, const Metric& metric) {
+  std::vector<double> errors, times;
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     for (const ChartPoint& point : chart.points) {
       if (!is_shown(chart, point, truth)) continue;
-      least = std::min(least, shown_error(point, metric, truth));
-      most = std::max(most, shown_error(point, metric, truth));
+      const Spread time = *frame_time(chart, point);
+      errors.push_back(shown_error(point, metric, truth));
+      times.insert(times.end(), {time.least, time.most});
     }
   }
-  return fmt::format("set yrange [{}:{}]\n", least / 1.6, std::max(least, most) * 1.6);
+  if (errors.empty()) return {};
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", std::ranges::min(times) / 1.5,
+                     std::ranges::max(times) * 1.5, std::ranges::min(errors) / 1.6,
+                     std::ranges::max(errors) * 1.6);
 }
 
 }  // namespace
@@ -194,7 +198,7 @@ ChartPicture chart_picture(const Chart& chart, const Metric& metric) {
       "set tmargin at screen {}\nset bmargin at screen {}\n",
       chart.width, chart.height, escaped(metric.about), 1 - double(kTop) / height,
       1 - double(kTop + kPanel) / height);
-  text += error_range(chart, metric);
+  text += ranges(chart, metric);
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     text += panel(chart, metric, truth, height);
   }

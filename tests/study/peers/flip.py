@@ -2,21 +2,15 @@
 
     flip.py WIDTH HEIGHT REFERENCE TEST ERRORS
 
-Reads two images of float32 r, g, b, writes the error map as float32. Exits with 3 and the remedy
-where the package is missing.
+Reads two images of float32 r, g, b, writes the error map as float32. LUMAKNOT_PEERS is the folder of
+scripts/install-peers. Exits with 3 and the remedy where the package is missing.
 """
 
 import os
 import sys
-from pathlib import Path
 
 
-def peers_folder():
-    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return Path(os.environ.get("LUMAKNOT_PEERS") or cache / "lumaknot" / "peers")
-
-
-sys.path.insert(0, str(peers_folder() / "python"))
+sys.path.insert(0, os.path.join(os.environ["LUMAKNOT_PEERS"], "python"))
 try:
     import flip_evaluator
     import numpy as np

@@ -29,14 +29,15 @@ void write_floats(const fs::path& path, const Image& image) {
   write_file(path, bytes, "the test's folder");
 }
 
-/// Where the peers are is told by variables that other programs don't see.
-std::vector<std::string> peers_environment() {
-  std::vector<std::string> all;
-  if (const char* home = std::getenv("HOME")) all.push_back(std::string("HOME=") + home);
-  for (const std::string name : {"LUMAKNOT_PEERS", "XDG_CACHE_HOME"}) {
-    if (const char* value = std::getenv(name.c_str())) all.push_back(name + "=" + value);
-  }
-  return all;
+/// The folder of scripts/install-peers; other programs don't see the variables that tell it.
+std::string peers_folder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value ? value : "");
+  };
+  if (!variable("LUMAKNOT_PEERS").empty()) return variable("LUMAKNOT_PEERS");
+  const fs::path cache = variable("XDG_CACHE_HOME");
+  return (cache.empty() ? variable("HOME") / ".cache" : cache) / "lumaknot/peers";
 }
 
 Grid<float> their_errors(const Image& reference, const Image& test) {
@@ -47,7 +48,7 @@ Grid<float> their_errors(const Image& reference, const Image& test) {
   const Ended ended = run({{"/usr/bin/python3", script, std::to_string(test.width),
                             std::to_string(test.height), "reference.bin", "test.bin", "errors.bin"},
                            folder.path(),
-                           peers_environment()},
+                           {"LUMAKNOT_PEERS=" + peers_folder()}},
                           std::chrono::seconds(60));
   if (!ended.well()) throw std::runtime_error(ended.log);
   EXPECT_NEAR(std::stod(ended.log), kFlipPixelsPerDegree, 1e-5);  // float
