@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 struct ChartFlags {
   std::string scene = "figure2", output = "chart", metric = "rmse";
   std::vector<std::string> spaces;
-  int rounds = 8;
+  int rounds = 5;
   bool alone = false;
   Output out;
 };

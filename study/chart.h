@@ -87,7 +87,7 @@ struct ChartJob {
   Scene scene;
   MeshSpec mesh;              ///< what the scene's mesh was made of
   std::vector<Space> spaces;  ///< none twice
-  int rounds = 8;      ///< that time every method; contested points get up to four times as many
+  int rounds = 5;      ///< that time every method; contested points get up to four times as many
   bool others = true;  ///< other programs too
   std::string_view metric = "rmse";  ///< whose fronts contest points
 };

@@ -21,10 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFlag = "--output";
-constexpr double kSlow = 60;  // milliseconds: frames so slow are few, and far from any other
+constexpr double kSlow = 100;  // milliseconds: frames so slow are few, and far from any other
 constexpr std::size_t kSlowRounds = 3;
 constexpr int kSettling = 4;     // times the rounds, at most
-constexpr int kFrames = 5;       // of each round
+constexpr int kFrames = 3;       // of each round
+constexpr int kThreads = 1;      // of timed frames: of several, some may share a core
 constexpr int kMeshSamples = 8;  // a side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
 
@@ -242,7 +243,7 @@ class Measuring {
   }
 
   void measure_times() {
-    MethodRenderer beside(baseline(), scene_of(baseline()));
+    MethodRenderer beside(baseline(), scene_of(baseline()), kThreads);
     beside.draw();  // the first frame takes the memory
     const double steps = double(job_.rounds) * double(chart_.points.size());
     double done = 0;
@@ -284,7 +285,7 @@ class Measuring {
   /// A renderer made anew, since where its memory lies is part of its time. The least of a few
   /// frames in turns with the baseline's: what else the machine does only makes frames longer.
   void time_round(ChartPoint& point, MethodRenderer& beside) {
-    MethodRenderer renderer(*point.method, scene_of(*point.method));
+    MethodRenderer renderer(*point.method, scene_of(*point.method), kThreads);
     const bool slow = milliseconds_of(renderer) > kSlow;
     double baseline_time = milliseconds_of(beside), time = milliseconds_of(renderer);
     for (int frame = 1; frame < (slow ? 1 : kFrames); ++frame) {

@@ -63,13 +63,14 @@ class SoftwareGl final : public OtherProgram {
  private:
   void add_frames(const Scene& scene, std::span<const Shot> shots, std::span<const Space> spaces,
                   int samples, const std::string& grid, OtherResult& result) const {
-    const PeerRun run(Peer::kSoftwareGl, scene, shots, {.samples = samples});
+    const PeerRun run(Peer::kSoftwareGl, scene, shots, {.samples = samples, .threads = 1});
     const PeerTimes times = run.run(kPeerFrames);
     for (std::size_t i = 0; i < shots.size(); ++i) {
       result.frames.push_back({fmt::format("{} {} pixel {} float trilinear {}x", name(), grid,
                                            name_of(spaces[i]), times.samples),
-                               "until glFinish, image in the driver's memory", spaces[i],
-                               times.samples, run.image(shots[i].name), times.milliseconds.at(i)});
+                               "one thread, until glFinish, image in the driver's memory",
+                               spaces[i], times.samples, run.image(shots[i].name),
+                               times.milliseconds.at(i)});
     }
   }
 };
@@ -116,12 +117,13 @@ class ValidatedRenderer final : public OtherProgram {
       }
       OtherFrame frame{name, {}, spaces[i], 1, first.image, {}};
       if (own_timer) {
-        frame.how = "the renderer's own timer, image not saved";
+        frame.how = "the renderer's own timer, all cores, image not saved";
         frame.milliseconds.assign(told.begin() + std::ptrdiff_t(i * kCopies),
                                   told.begin() + std::ptrdiff_t((i + 1) * kCopies));
       } else {
-        frame.how = fmt::format("what each of {} frames adds to its process, scene read again",
-                                shots.size());
+        frame.how =
+            fmt::format("what each of {} frames adds to its process, all cores, scene read again",
+                        shots.size());
         frame.milliseconds = {1000 * (rendering.seconds - rest) / double(shots.size() - 1)};
       }
       if (!first.note.empty()) frame.how += "; " + first.note;

@@ -194,7 +194,8 @@ ChartPicture chart_picture(const Chart& chart, const Metric& metric) {
   std::string text = panel_data(chart, metric, 0) + panel_data(chart, metric, 1);
   text += fmt::format(
       "set multiplot\nset logscale xy\nset grid lt 1 lc rgb '#e3e6ea'\nset tics nomirror\n"
-      "set format y '%.0e'\nset xlabel 'milliseconds a frame, {} x {}'\nset ylabel '{}'\n"
+      "set format y '%.0e'\nset xlabel 'milliseconds a frame, one thread, {} x {}'\nset ylabel "
+      "'{}'\n"
       "set tmargin at screen {}\nset bmargin at screen {}\n",
       chart.width, chart.height, escaped(metric.about), 1 - double(kTop) / height,
       1 - double(kTop + kPanel) / height);

@@ -191,7 +191,9 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
   }
   return text + fmt::format(
                     "Errors from the exact picture in a method's own space: {}.\nTimes "
-                    "within {:.0f} % and errors within {:.0f} % count as equal.",
+                    "are of one thread (Cycles, Eevee and POV-Ray: all cores); those within {:.0f} "
+                    "% count as "
+                    "equal, errors within {:.0f} %.",
                     chart.truth, 100 * kSameTime, 100 * kSameError);
 }
 

@@ -1,6 +1,7 @@
 #include "study/method.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <array>
 #include <cmath>
@@ -79,7 +80,9 @@ MeshSpec method_mesh(const Method& method, const MeshSpec& mesh) {
 
 class MethodRenderer::Frames {
  public:
-  Frames(const Method& method, Scene scene) : number_(method.number), scene_(std::move(scene)) {
+  Frames(const Method& method, Scene scene, int threads)
+      : number_(method.number), scene_(std::move(scene)) {
+    if (threads > 0) arena_.initialize(threads);
     if (const std::string why = method_shortfall(method); !why.empty()) {
       throw Error(fmt::format("{} can't be drawn: {}", method_name(method), why));
     }
@@ -90,6 +93,7 @@ class MethodRenderer::Frames {
     FastOptions options;
     options.samples = method.samples;
     options.filter = method.filter;
+    options.threads = threads;
     fast_ = std::make_unique<FastRenderer>(scene_, options);
   }
 
@@ -102,8 +106,10 @@ class MethodRenderer::Frames {
   }
 
   Image image() {
-    if (number_ == Number::kHalf) return render_in_half(scene_);
-    if (number_ == Number::kDouble) return render(scene_);
+    if (!fast_) {
+      return arena_.execute(
+          [&] { return number_ == Number::kHalf ? render_in_half(scene_) : render(scene_); });
+    }
     Image image;
     fast_->draw(image);
     return image;
@@ -112,12 +118,13 @@ class MethodRenderer::Frames {
  private:
   Number number_;
   Scene scene_;
+  oneapi::tbb::task_arena arena_;
   std::unique_ptr<FastRenderer> fast_;
   Grid<Rgba8> bytes_;
 };
 
-MethodRenderer::MethodRenderer(const Method& method, Scene scene)
-    : frames_(std::make_unique<Frames>(method, std::move(scene))) {}
+MethodRenderer::MethodRenderer(const Method& method, Scene scene, int threads)
+    : frames_(std::make_unique<Frames>(method, std::move(scene), threads)) {}
 
 MethodRenderer::~MethodRenderer() = default;
 

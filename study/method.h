@@ -51,12 +51,13 @@ Material true_material(const Material& material, Space space);
 /// `mesh` with the method's grid, when it is a knot and the method has one.
 MeshSpec method_mesh(const Method& method, const MeshSpec& mesh);
 
-/// A method ready to draw a scene again and again, on all cores.
+/// A method ready to draw a scene again and again.
 class MethodRenderer {
  public:
-  /// `scene` has the method's mesh; its material and samples are replaced. Throws Error for what
-  /// method_shortfall() tells, and as FastRenderer does.
-  MethodRenderer(const Method& method, Scene scene);
+  /// `scene` has the method's mesh; its material and samples are replaced. Draws on so many
+  /// threads, 0: one for each core. Throws Error for what method_shortfall() tells, and as
+  /// FastRenderer does.
+  MethodRenderer(const Method& method, Scene scene, int threads = 0);
   ~MethodRenderer();
 
   /// One frame, as it is timed: float into 8 bits a channel.
