@@ -1,6 +1,8 @@
 /// Points of a tile shaded together, packet by packet.
 #pragma once
 
+#include <span>
+
 #include "render/kernels/surface.h"
 
 // All that a function calls in it: calls would pass registers through memory. With the checks of

@@ -181,7 +181,8 @@ class TilePainter {
     }
   }
 
-  /// Each limited to [0, 1], times 255; NaN becomes 0.
+  /// Each limited to [0, 1], times 255; NaN becomes 0. Packed in whole numbers, which lie in memory
+  /// from the lowest byte on.
   static void convert(const float* from, std::array<Rgba8, S::kWidth>& to) {
     static_assert(sizeof(Rgba8) == sizeof(std::int32_t));
     Ints<A> packed(0);
