@@ -141,8 +141,7 @@ FrameData frame_data(const Scene& scene, const FastOptions& options) {
 TileMemory tile_memory(std::size_t samples) {
   constexpr std::size_t kPlane = kTile * kTile;
   TileMemory memory;
-  memory.depths.resize(samples * kPlane + kPadding);
-  memory.seen.resize(samples * kPlane + kPadding);
+  memory.nearest.resize(2 * (samples * kPlane + kPadding));
   memory.colors.resize(kPlane * 4);
   memory.touched.resize(kPlane);
   return memory;

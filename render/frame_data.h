@@ -68,10 +68,9 @@ struct TileMemory {
   template <class T>
   using Aligned = std::vector<T, xsimd::aligned_allocator<T, 64>>;
 
-  /// Block by block, samples x lanes: bits of 1 / depth, 0: none. Then a packet that is written
-  /// to in place of what lies beyond the tile.
-  Aligned<std::int32_t> depths;
-  Aligned<std::int32_t> seen;     ///< as many: the triangle, kNothing where there is none
+  /// Block by block, a packet a sample: what it sees, as Nearest has it, kNothing where there is
+  /// none. Then a packet that is written to in place of what lies beyond the tile.
+  Aligned<std::int32_t> nearest;
   Aligned<float> colors;          ///< block by block, (r, g, b, coverage) x lanes
   Aligned<std::uint8_t> touched;  ///< whether a block's colours are set
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "render/kernels/packet.h"
+#include "render/kernels/nearest.h"
 
 namespace lumaknot {
 
@@ -103,8 +103,7 @@ SetUp<A> set_up(const Oriented<A>& o) {
 struct TileTarget {
   int x0, y0, x1, y1;  ///< its pixels, [x0, x1) x [y0, y1)
   std::span<const SamplePlace> pattern;
-  std::int32_t* depths;
-  std::int32_t* seen;
+  std::int32_t* nearest;  ///< TileMemory's
 };
 
 /// One triangle of a set-up and the box of pixels of the tile in which its samples may lie.
@@ -118,20 +117,6 @@ struct Drawn {
 
 /// Whether a sample on the edge belongs to the triangle: a left one, or a top one.
 inline bool owns_samples(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
-
-/// Keeps `triangle` where `mask` is and it is not behind what the samples at `depths` see. Inverse
-/// depths are not negative, so their bits compare as they do.
-/// Packets are aligned, so that what one triangle stores the next can load at once.
-template <class A>
-void keep_nearest(const xsimd::batch_bool<std::int32_t, A>& mask, const Floats<A>& depth,
-                  std::uint32_t triangle, std::int32_t* depths, std::int32_t* seen) {
-  const Ints<A> old = Ints<A>::load_aligned(depths);
-  const Ints<A> bits = as_ints<A>(depth);
-  const auto passes = mask && bits >= old;
-  xsimd::select(passes, bits, old).store_aligned(depths);
-  const Ints<A> before = Ints<A>::load_aligned(seen);
-  xsimd::select(passes, Ints<A>(std::int32_t(triangle)), before).store_aligned(seen);
-}
 
 /// The inverse depths of a triangle's samples, block by block, within the corners', which rounding
 /// may leave.
@@ -219,9 +204,9 @@ void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
         if constexpr (!one) {
           for (std::size_t j = 0; j < 3; ++j) moved[j] = e[j] + Ints<A>(steps[i][j]);
         }
-        keep_nearest<A>((moved[0] | moved[1] | moved[2]) >= Ints<A>(0),
-                        depths.at(first, one ? SamplePlace{0, 0} : tile.pattern[i]), d.triangle,
-                        tile.depths + at, tile.seen + at);
+        Nearest<A, one>::keep((moved[0] | moved[1] | moved[2]) >= Ints<A>(0),
+                              depths.at(first, one ? SamplePlace{0, 0} : tile.pattern[i]),
+                              d.triangle, tile.nearest + 2 * at);
       }
     }
   }
@@ -262,7 +247,7 @@ Span row_span(const SetUp<A>& s, std::size_t k, const Drawn& d, SamplePlace plac
 }
 
 /// A large triangle's samples number `sample`.
-template <class A>
+template <class A, bool one>
 void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile,
                 std::size_t sample) {
   const SamplePlace place = tile.pattern[sample];
@@ -286,9 +271,9 @@ void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
       const Ints<A> columns = lane_columns<A>() + Ints<A>(x);
       const std::size_t at =
           block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size() + sample * Ints<A>::size;
-      keep_nearest<A>(columns >= from && columns <= to && from <= to,
-                      depths.at(depths.first(x, y), place), d.triangle, tile.depths + at,
-                      tile.seen + at);
+      Nearest<A, one>::keep(columns >= from && columns <= to && from <= to,
+                            depths.at(depths.first(x, y), place), d.triangle,
+                            tile.nearest + 2 * at);
     }
   }
 }
@@ -350,8 +335,9 @@ void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull
   if (d.x0 > d.x1 || d.y0 > d.y1) return;
   if (small && tile.pattern.size() == 1) return draw_small<A, true>(s, k, d, tile);
   if (small) return draw_small<A, false>(s, k, d, tile);
+  if (tile.pattern.size() == 1) return draw_large<A, true>(s, k, d, tile, 0);
   for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
-    draw_large<A>(s, k, d, tile, sample);
+    draw_large<A, false>(s, k, d, tile, sample);
   }
 }
 

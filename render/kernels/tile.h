@@ -20,8 +20,7 @@ class TilePainter {
                std::min(x + kTile, data.width),
                std::min(y + kTile, data.height),
                data.pattern,
-               memory.depths.data(),
-               memory.seen.data()};
+               memory.nearest.data()};
     for (std::size_t i = 0; i < data.pattern.size(); ++i) {
       places_[i][0] = 0.5f + float(data.pattern[i].x) / 16;
       places_[i][1] = 0.5f + float(data.pattern[i].y) / 16;
@@ -48,8 +47,10 @@ class TilePainter {
 
  private:
   void clear() {
-    std::fill_n(memory_.depths.data(), memory_.depths.size(), 0);
-    std::fill_n(memory_.seen.data(), memory_.seen.size(), kNothing);
+    for (std::size_t i = 0; i < memory_.nearest.size(); i += 2 * S::kWidth) {
+      std::int32_t* packet = memory_.nearest.data() + i;
+      one_ ? Nearest<A, true>::clear(packet) : Nearest<A, false>::clear(packet);
+    }
   }
 
   LUMAKNOT_FLAT void cover(const std::uint32_t* triangles, std::size_t count) {
@@ -75,10 +76,11 @@ class TilePainter {
 
   /// What all samples of a block's pixels see, or kMixed.
   Ints<A> uniform_of(const std::int32_t* block) const {
-    const Ints<A> first = Ints<A>::load_aligned(block);
+    if (one_) return Nearest<A, true>::seen(block);
+    const Ints<A> first = Nearest<A, false>::seen(block);
     Ints<A> uniform = first;
     for (std::size_t s = 1; s < data_.pattern.size(); ++s) {
-      const Ints<A> other = Ints<A>::load_aligned(block + s * S::kWidth);
+      const Ints<A> other = Nearest<A, false>::seen(block + 2 * s * S::kWidth);
       uniform = xsimd::select(other == first, uniform, Ints<A>(kMixed));
     }
     return uniform;
@@ -89,7 +91,7 @@ class TilePainter {
     constexpr int kBlocks = kTile * kTile / int(S::kWidth), kAcross = kTile / kBlockWidth;
     for (int block = 0; block < kBlocks; ++block) {
       const std::size_t begin = std::size_t(block) * S::kWidth;
-      const std::int32_t* samples = memory_.seen.data() + begin * data_.pattern.size();
+      const std::int32_t* samples = memory_.nearest.data() + 2 * begin * data_.pattern.size();
       const Ints<A> uniform = uniform_of(samples);
       const bool any = xsimd::any(uniform != Ints<A>(kNothing));
       memory_.touched[std::size_t(block)] = any;
@@ -117,7 +119,7 @@ class TilePainter {
     for (int lane = 0; lane < int(S::kWidth); ++lane) {
       const Place place{x + lane % kBlockWidth, y + lane / kBlockWidth, colors + lane};
       if (seen[lane] == kMixed) {
-        add_mixed(place, samples + lane);
+        add_mixed(place, samples, lane);
       } else if (seen[lane] != kNothing) {
         add(seen[lane], place, 0.5f, 0.5f, 1);
       }
@@ -136,10 +138,11 @@ class TilePainter {
 
   /// Each triangle that samples of the pixel see, at the middle of those samples, so that nothing
   /// is extrapolated.
-  void add_mixed(const Place& place, const std::int32_t* samples) {
+  void add_mixed(const Place& place, const std::int32_t* samples, int lane) {
     const std::size_t count = data_.pattern.size();
     std::int32_t seen[16];
-    for (std::size_t s = 0; s < count; ++s) seen[s] = samples[s * S::kWidth];
+    for (std::size_t s = 0; s < count; ++s)
+      seen[s] = Nearest<A, false>::seen(samples + 2 * s * S::kWidth, lane);
     for (std::size_t s = 0; s < count; ++s) {
       const std::int32_t triangle = seen[s];
       if (triangle == kNothing) continue;
@@ -205,7 +208,7 @@ class TilePainter {
   TileMemory& memory_;
   ShadingBatch<A> batch_;
   TileTarget target_;
-  bool tiny_ = data_.pattern.size() == 1 && data_.clipped.empty();
+  const bool one_ = data_.pattern.size() == 1, tiny_ = one_ && data_.clipped.empty();
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 

@@ -94,33 +94,22 @@ static void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
   }
 }
 
-/// Samples: their places in the tile's arrays, and inverse depths' bits above the triangles.
+/// Samples: their places in the tile, and what they may see.
 struct Found {
   alignas(64) std::int32_t at[16];
   alignas(64) std::uint64_t key[16];
 };
 
-/// As keep_nearest(), sample by sample; of equal depths the later triangle's stays, in whatever
+/// As Nearest::keep(), sample by sample; of equal depths the later triangle's stays, in whatever
 /// order they come. A function of its own for its registers.
 [[gnu::noinline]] static void keep_found(const Found& found, std::size_t count,
-                                         std::int32_t* __restrict depths,
-                                         std::int32_t* __restrict seen) {
+                                         std::uint64_t* __restrict nearest) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = std::uint32_t(found.at[i]);
-    const std::uint64_t before =
-        std::uint64_t(std::uint32_t(depths[at])) << 32 | std::uint32_t(seen[at]);
-    std::uint64_t best = std::max(before, found.key[i]);
+    std::uint64_t best = std::max(nearest[at], found.key[i]);
     asm("" : "+r"(best));  // no branch: it can't be foreseen
-    depths[at] = std::int32_t(best >> 32);
-    seen[at] = std::int32_t(best);
+    nearest[at] = best;
   }
-}
-
-static void store_keys(const Ints<Lanes>& depths, const Ints<Lanes>& triangles, Found& found) {
-  const __m512i low = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(8));
-  _mm512_store_si512(found.key, _mm512_permutex2var_epi32(triangles, low, depths));
-  _mm512_store_si512(found.key + 8, _mm512_permutex2var_epi32(triangles, high, depths));
 }
 
 /// Inverse depths of a packet's triangles.
@@ -164,9 +153,12 @@ static void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool
     const I at = (x & I(3)) + ((x >> 2) << 4) + ((y & I(3)) << 2) + ((y >> 2) << 8);
     Found found;
     xsimd::select(beyond, I(kTile * kTile), at).store_aligned(found.at);
-    store_keys(as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most))),
-               whole(numbers), found);
-    keep_found(found, std::min<std::size_t>(16, hits.count - begin), tile.depths, tile.seen);
+    const Keys keys = keys_of(
+        as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most))), whole(numbers));
+    _mm512_store_si512(found.key, keys.first);
+    _mm512_store_si512(found.key + 8, keys.second);
+    keep_found(found, std::min<std::size_t>(16, hits.count - begin),
+               reinterpret_cast<std::uint64_t*>(tile.nearest));
   }
 }
 #endif
