@@ -17,7 +17,7 @@ void wait_while(const std::atomic<int>& value, int old) {
 
 }  // namespace
 
-Crew::Crew(int size) {
+Crew::Crew(int size) : parts_(std::size_t(size)) {
   for (int i = 1; i < size; ++i) {
     threads_.emplace_back([this, i] {
       for (int seen = 0;; ++seen) {
@@ -39,13 +39,23 @@ Crew::~Crew() {
 }
 
 void Crew::work(int worker) {
-  for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) (*task_)(i, worker);
+  for (int k = 0; k < size(); ++k) {
+    Part& part = parts_[std::size_t((worker + k) % size())];
+    for (int i; (i = part.next.fetch_add(1, std::memory_order_relaxed)) < part.end;) {
+      (*task_)(i, worker);
+    }
+  }
 }
 
 void Crew::run(int count, const std::function<void(int, int)>& task) {
   task_ = &task;
-  count_ = count;
-  next_.store(0, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const auto begin = [&](std::size_t part) {
+      return int(std::int64_t(count) * std::int64_t(part) / size());
+    };
+    parts_[i].next.store(begin(i), std::memory_order_relaxed);
+    parts_[i].end = begin(i + 1);
+  }
   idle_.store(0, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
