@@ -92,6 +92,10 @@ void copy_mesh(FrameData& data, const TriangleMesh& mesh, const EyeLengths& leng
                        {float(n.x), float(n.y), float(n.z)},
                        {float(mesh.uvs[i].u), float(mesh.uvs[i].v)}};
   }
+  for (std::size_t i = count; i < count + kPadding && count > 0; ++i) {
+    data.xs[i] = data.xs[count - 1], data.ys[i] = data.ys[count - 1],
+    data.zs[i] = data.zs[count - 1];
+  }
   data.triangles.resize(mesh.triangles.size());
   std::ranges::transform(mesh.triangles, data.triangles.begin(), [](const Triangle& t) {
     return std::array<std::uint32_t, 4>{t[0], t[1], t[2], 0};

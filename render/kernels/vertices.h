@@ -11,43 +11,50 @@ namespace lumaknot {
 template <class A>
 using Doubles = xsimd::batch<double, A>;
 
-/// Image points of Doubles::size vertices from `i` on, in the arrays x, y, depth.
+/// Image points of several vertices, and snapped: whole numbers, x kOutside where the point isn't
+/// in front of the near plane and within the guard.
 template <class A>
-void image_points(const FrameData& data, std::size_t i, double* x, double* y, double* depth) {
+struct ImagePoints {
+  static constexpr std::size_t kWidth = Doubles<A>::size;
+  double x[kWidth], y[kWidth], inverse_depth[kWidth];
+  double snapped_x[kWidth], snapped_y[kWidth];
+  bool all_inside;
+};
+
+/// Of the vertices from `i` on.
+template <class A>
+ImagePoints<A> image_points(const FrameData& data, std::size_t i) {
   using S = Doubles<A>;
   const Vec3<S> world{S::load_unaligned(&data.xs[i]), S::load_unaligned(&data.ys[i]),
                       S::load_unaligned(&data.zs[i])};
   const Vec3<S> image = data.projection.to_image(data.projection.to_view(world));
-  image.x.store_unaligned(x);
-  image.y.store_unaligned(y);
-  image.z.store_unaligned(depth);
-}
-
-/// Snaps an image point and keeps it. Whether it is in front of the near plane and in the guard.
-template <class A>
-bool keep_point(FrameData& data, std::size_t i, double x, double y, double depth) {
-  VertexRecord& record = data.records[i];
-  const bool inside = depth >= data.near && x >= -kGuard && x <= kGuard && y >= -kGuard &&
-                      y <= kGuard;  // false for NaN
-  record.x = float(x);
-  record.y = float(y);
-  record.inverse_depth = float(1 / depth);
-  // Rounded half up.
-  data.points[i] = {inside ? std::int32_t(std::floor(x * kSubpixels + 0.5)) : kOutside,
-                    inside ? std::int32_t(std::floor(y * kSubpixels + 0.5)) : 0,
-                    record.inverse_depth};
-  return inside;
+  const auto inside = image.z >= S(data.near) && xsimd::abs(image.x) <= S(kGuard) &&
+                      xsimd::abs(image.y) <= S(kGuard);  // false for NaN
+  const auto snapped = [](const S& v) { return xsimd::floor(v * S(kSubpixels) + S(0.5)); };
+  ImagePoints<A> points;
+  image.x.store_unaligned(points.x);
+  image.y.store_unaligned(points.y);
+  (S(1) / image.z).store_unaligned(points.inverse_depth);
+  xsimd::select(inside, snapped(image.x), S(kOutside)).store_unaligned(points.snapped_x);
+  xsimd::select(inside, snapped(image.y), S(0)).store_unaligned(points.snapped_y);
+  points.all_inside = xsimd::all(inside);
+  return points;
 }
 
 template <class A>
 bool transform_vertices(FrameData& data, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kWidth = Doubles<A>::size;
+  constexpr std::size_t kWidth = ImagePoints<A>::kWidth;
   bool all_inside = true;
   for (std::size_t i = begin; i < end; i += kWidth) {
-    double x[kWidth], y[kWidth], depth[kWidth];
-    image_points<A>(data, i, x, y, depth);
+    const ImagePoints<A> p = image_points<A>(data, i);
+    all_inside &= p.all_inside;
     for (std::size_t k = 0; k < kWidth && i + k < end; ++k) {
-      all_inside &= keep_point<A>(data, i + k, x[k], y[k], depth[k]);
+      VertexRecord& record = data.records[i + k];
+      record.x = float(p.x[k]);
+      record.y = float(p.y[k]);
+      record.inverse_depth = float(p.inverse_depth[k]);
+      data.points[i + k] = {std::int32_t(p.snapped_x[k]), std::int32_t(p.snapped_y[k]),
+                            record.inverse_depth};
     }
   }
   return all_inside;
