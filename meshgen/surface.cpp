@@ -2,7 +2,7 @@
 
 namespace lumaknot {
 
-SurfacePoint TubeSurface::at(double t, double theta) const {
+TubePoint TubeSurface::at(double t, double theta) const {
   const Frame frame = spine_.frame(t);
   const CurvePoint point = curve_point(spine_.curve(), t);
   const double rate = length(point.first);

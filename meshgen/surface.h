@@ -6,7 +6,7 @@
 namespace lumaknot {
 
 /// A point of the tube with its derivatives by t and theta, in scene units a radian.
-struct SurfacePoint {
+struct TubePoint {
   Vec3d position;
   Vec3d normal;         ///< unit, outward
   Vec3d along, around;  ///< dX/dt, dX/dtheta
@@ -22,7 +22,7 @@ class TubeSurface {
   double tube_radius() const { return radius_; }
 
   /// The point at t, theta in radians. `along` is exact too: the frame's own turn is in it.
-  SurfacePoint at(double t, double theta) const;
+  TubePoint at(double t, double theta) const;
 
  private:
   const Spine& spine_;

@@ -35,7 +35,7 @@ Vertices vertices_of(const TubeSurface& surface, int segments, int sides) {
   Vertices vertices;
   for (int i = 0; i <= segments; ++i) {
     for (int j = 0; j <= sides; ++j) {
-      const SurfacePoint x = surface.at(ring_parameter(i, segments), 2 * kPi * j / sides);
+      const TubePoint x = surface.at(ring_parameter(i, segments), 2 * kPi * j / sides);
       vertices.positions.push_back(x.position);
       vertices.normals.push_back(x.normal);
     }
@@ -176,7 +176,7 @@ TEST(Deviation, one_vertex_pulled_out_and_one_normal_tilted_are_found) {
   const Tube tube = tube_of(2, 3, 0.18);
   Vertices given = vertices_of(tube.surface(), 300, 30);
   const std::size_t vertex = 100 * 31 + 7;
-  const SurfacePoint x = tube.surface().at(ring_parameter(100, 300), 2 * kPi * 7 / 30);
+  const TubePoint x = tube.surface().at(ring_parameter(100, 300), 2 * kPi * 7 / 30);
   given.positions[vertex] = x.position + x.normal * 0.05;
   given.normals[vertex] = x.normal + normalize(x.around) * std::tan(0.1);
   const Deviation found =

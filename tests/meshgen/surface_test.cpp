@@ -33,7 +33,7 @@ TEST(Surface, derivatives_are_the_limits_of_central_differences_at_order_2) {
     const auto error = [&](double h) {
       double worst = 0;
       for_each_point([&](double t, double theta) {
-        const SurfacePoint x = tube.at(t, theta);
+        const TubePoint x = tube.at(t, theta);
         const Vec3d along = (tube.at(t + h, theta).position - tube.at(t - h, theta).position);
         const Vec3d around = (tube.at(t, theta + h).position - tube.at(t, theta - h).position);
         worst = std::max(
@@ -50,7 +50,7 @@ TEST(Surface, normal_is_unit_and_across_both_tangents) {
     const Spine spine = spine_of(p, q);
     const TubeSurface tube(spine, kRadius);
     for_each_point([&](double t, double theta) {
-      const SurfacePoint x = tube.at(t, theta);
+      const TubePoint x = tube.at(t, theta);
       ASSERT_NEAR(length(x.normal), 1, 1e-13);  // rounding
       ASSERT_NEAR(dot(x.normal, x.along), 0, 1e-13 * length(x.along));
       ASSERT_NEAR(dot(x.normal, x.around), 0, 1e-13);
@@ -64,7 +64,7 @@ TEST(Surface, is_one_radius_from_the_centre_line) {
   const Spine spine = spine_of(2, 3);
   const TubeSurface tube(spine, kRadius);
   for_each_point([&](double t, double theta) {
-    const SurfacePoint x = tube.at(t, theta);
+    const TubePoint x = tube.at(t, theta);
     const Vec3d arm = x.position - curve_point(spine.curve(), t).position;
     ASSERT_LT(length(arm - x.normal * kRadius), 1e-14);  // rounding
   });
