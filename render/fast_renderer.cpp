@@ -167,13 +167,12 @@ std::unique_ptr<Kernel> make_kernel(FrameData& data) {
 /// The candidates of the run, tile by tile.
 void sort_by_tile(Run& run, int columns, int rows) {
   const auto each_tile = [&](std::size_t i, const auto& work) {
-    const TileBox& box = run.boxes[i];
-    if (box.x0 == box.x1 && box.y0 == box.y1) {  // most
-      return work(std::size_t(box.y0) * std::size_t(columns) + std::size_t(box.x0));
-    }
-    for (int y = box.y0; y <= box.y1; ++y) {
-      for (int x = box.x0; x <= box.x1; ++x)
-        work(std::size_t(y) * std::size_t(columns) + std::size_t(x));
+    const TileSpan span(run.tiles[i]);
+    if (run.tiles[i] == span.first) return work(span.first);  // most
+    for (std::uint32_t y = 0; y <= span.down; ++y) {
+      for (std::uint32_t x = 0; x <= span.right; ++x) {
+        work(span.first + y * std::uint32_t(columns) + x);
+      }
     }
   };
   run.begins.assign(std::size_t(columns) * std::size_t(rows) + 1, 0);
@@ -240,9 +239,9 @@ class FastRenderer::Frame {
       for (const Clipped& c : data_.clipped) {
         most += c.triangle >= run.first && c.triangle < run.last ? c.count : 0;
       }
-      if (run.boxes.size() > most) continue;
-      run.boxes.resize(most + 1);  // one more is written to before it is counted
-      run.candidates.resize(most + 1);
+      if (run.candidates.size() >= most + kPadding) continue;
+      run.candidates.resize(most + kPadding);
+      run.tiles.resize(most + kPadding);
     }
   }
 

@@ -42,9 +42,14 @@ struct SnappedPoint {
 /// The x of a point that isn't in front of the near plane and within the guard.
 constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
 
-/// The first and the last tile that a triangle touches, in each direction.
-struct TileBox {
-  std::uint8_t x0, y0, x1, y1;
+/// The tiles that a triangle touches, in one number: the first, and how many there are to its right
+/// and below.
+struct TileSpan {
+  static constexpr int kRight = 16, kDown = 24;  ///< bits
+  std::uint32_t first, right, down;
+
+  explicit TileSpan(std::uint32_t packed)
+      : first(packed & 0xffff), right(packed >> kRight & 0xff), down(packed >> kDown) {}
 };
 
 /// A run of triangles. Its lists are in the mesh's order: drawing the runs one after the other
@@ -52,7 +57,7 @@ struct TileBox {
 struct Run {
   std::uint32_t first = 0, last = 0;      ///< triangles [first, last)
   std::vector<std::uint32_t> candidates;  ///< those that may touch a tile: the first `found`
-  std::vector<TileBox> boxes;             ///< theirs
+  std::vector<std::uint32_t> tiles;       ///< theirs: TileSpan
   std::size_t found = 0;
   std::vector<std::uint32_t> listed;  ///< by tile: those of tile i from begins[i] to begins[i + 1]
   std::vector<std::uint32_t> begins;

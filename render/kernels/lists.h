@@ -8,48 +8,78 @@ namespace lumaknot {
 inline constexpr int kTileBits = 6;
 static_assert(kTile == 1 << kTileBits);
 
-/// The pixels [x0, x1] x [y0, y1] of each lane's triangle in which its samples may lie; `outside`
-/// is kOutside where a corner is.
+/// Where each lane's triangle is on the image.
 template <class A>
-struct Boxes {
-  std::int32_t x0[Ints<A>::size], y0[Ints<A>::size], x1[Ints<A>::size], y1[Ints<A>::size];
-  std::int32_t outside[Ints<A>::size];
+struct Placed {
+  xsimd::batch_bool<std::int32_t, A> outside;  ///< a corner of it is
+  xsimd::batch_bool<std::int32_t, A> seen;     ///< its samples may lie in pixels of the image
+  Ints<A> tiles;                               ///< that it touches: TileSpan
 };
 
 template <class A>
-Boxes<A> pixel_boxes(const FrameData& data, const Ints<A>& triangle) {
-  const std::array<Ints<A>, 3> corners = load_corners<A>(data, triangle);
-  std::array<std::array<Ints<A>, 2>, 3> points;
+Placed<A> placed(const FrameData& data, const Ints<A>& triangles) {
+  using I = Ints<A>;
+  const std::array<I, 3> corners = load_corners<A>(data, triangles);
+  std::array<std::array<I, 2>, 3> points;
   for (std::size_t i = 0; i < 3; ++i) points[i] = load_points<A>(data, corners[i]).at;
-  const auto least = [&](std::size_t c) {
-    return xsimd::min(xsimd::min(points[0][c], points[1][c]), points[2][c]);
-  };
-  const auto most = [&](std::size_t c) {
-    return xsimd::max(xsimd::max(points[0][c], points[1][c]), points[2][c]);
-  };
-  Boxes<A> boxes;
+  const std::array<int, 2> size{data.width, data.height};
   const bool centres = data.options.samples == 1;
-  const auto put_first = [&](std::size_t c, std::int32_t* to) {
-    xsimd::max(first_pixel<A>(least(c), centres), Ints<A>(0)).store_unaligned(to);
-  };
-  const auto put_last = [&](std::size_t c, int size, std::int32_t* to) {
-    xsimd::min(last_pixel<A>(most(c), centres), Ints<A>(size - 1)).store_unaligned(to);
-  };
-  put_first(0, boxes.x0);
-  put_first(1, boxes.y0);
-  put_last(0, data.width, boxes.x1);
-  put_last(1, data.height, boxes.y1);
-  least(0).store_unaligned(boxes.outside);
-  return boxes;
+  std::array<I, 2> least, first, last;
+  for (std::size_t c = 0; c < 2; ++c) {
+    least[c] = xsimd::min(xsimd::min(points[0][c], points[1][c]), points[2][c]);
+    const I most = xsimd::max(xsimd::max(points[0][c], points[1][c]), points[2][c]);
+    first[c] = xsimd::max(first_pixel<A>(least[c], centres), I(0));
+    last[c] = xsimd::min(last_pixel<A>(most, centres), I(size[c] - 1));
+  }
+  const auto seen = first[0] <= last[0] && first[1] <= last[1];
+  const I x = first[0] >> kTileBits, y = first[1] >> kTileBits;
+  const I right = (last[0] >> kTileBits) - x, down = (last[1] >> kTileBits) - y;
+  return {least[0] == I(kOutside), seen,
+          (x + y * I(data.columns)) | right << TileSpan::kRight | down << TileSpan::kDown};
 }
 
-/// Keeps a triangle whose samples' box is (x0, y0) ... (x1, y1), in pixels.
+/// Stores the lanes where `mask` is, one after the other; what follows them up to a packet's end is
+/// overwritten. Returns how many they are.
 template <class A>
-void keep_candidate(Run& run, std::uint32_t triangle, int x0, int y0, int x1, int y1) {
-  run.boxes[run.found] = {std::uint8_t(x0 >> kTileBits), std::uint8_t(y0 >> kTileBits),
-                          std::uint8_t(x1 >> kTileBits), std::uint8_t(y1 >> kTileBits)};
-  run.candidates[run.found] = triangle;
-  run.found += x0 <= x1 && y0 <= y1;
+std::size_t store_where(const xsimd::batch_bool<std::int32_t, A>& mask, const Ints<A>& values,
+                        std::uint32_t* to) {
+  std::int32_t lanes[Ints<A>::size];
+  bool kept[Ints<A>::size];
+  values.store_unaligned(lanes);
+  mask.store_unaligned(kept);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < Ints<A>::size; ++k) {
+    to[count] = std::uint32_t(lanes[k]);
+    count += kept[k];
+  }
+  return count;
+}
+#ifdef __AVX512F__
+template <>
+inline std::size_t store_where<xsimd::avx512bw>(
+    const xsimd::batch_bool<std::int32_t, xsimd::avx512bw>& mask,
+    const Ints<xsimd::avx512bw>& values, std::uint32_t* to) {
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, values));
+  return std::size_t(__builtin_popcount(__mmask16(mask)));
+}
+#endif
+
+template <class A>
+void find_candidates(const FrameData& data, Run& run, std::uint32_t first, std::uint32_t last);
+
+/// As find_candidates(), where clipping cut some of the triangles.
+template <class A>
+void find_one_by_one(const FrameData& data, Run& run, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t t = first; t < last; ++t) {
+    const Placed<A> p = placed<A>(data, Ints<A>(std::int32_t(t)));
+    if (!xsimd::any(p.outside)) {
+      run.candidates[run.found] = t;
+      run.tiles[run.found] = std::uint32_t(p.tiles.get(0));
+      run.found += xsimd::any(p.seen);
+    } else if (const Clipped* pieces = find_clipped(data, t)) {
+      find_candidates<A>(data, run, pieces->first, pieces->first + pieces->count);
+    }
+  }
 }
 
 /// Adds triangles [first, last) to the run's candidates, in place of those that clipping cut what
@@ -59,16 +89,16 @@ void find_candidates(const FrameData& data, Run& run, std::uint32_t first, std::
   constexpr std::uint32_t kWidth = std::uint32_t(Ints<A>::size);
   for (std::uint32_t t = first; t < last; t += kWidth) {
     // Lanes behind the last triangle repeat it.
-    const Ints<A> triangles =
-        xsimd::min(lane_numbers<A>() + Ints<A>(std::int32_t(t)), Ints<A>(std::int32_t(last - 1)));
-    const Boxes<A> b = pixel_boxes<A>(data, triangles);
-    for (std::uint32_t k = 0; k < kWidth && t + k < last; ++k) {
-      if (b.outside[k] != kOutside) {
-        keep_candidate<A>(run, t + k, b.x0[k], b.y0[k], b.x1[k], b.y1[k]);
-      } else if (const Clipped* pieces = find_clipped(data, t + k)) {
-        find_candidates<A>(data, run, pieces->first, pieces->first + pieces->count);
-      }
+    const Ints<A> numbers = lane_numbers<A>() + Ints<A>(std::int32_t(t));
+    const Ints<A> triangles = xsimd::min(numbers, Ints<A>(std::int32_t(last - 1)));
+    const Placed<A> p = placed<A>(data, triangles);
+    if (xsimd::any(p.outside)) {
+      find_one_by_one<A>(data, run, t, std::min(t + kWidth, last));
+      continue;
     }
+    const auto kept = p.seen && numbers == triangles;
+    store_where<A>(kept, triangles, &run.candidates[run.found]);
+    run.found += store_where<A>(kept, p.tiles, &run.tiles[run.found]);
   }
 }
 
