@@ -204,9 +204,9 @@ void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
         if constexpr (!one) {
           for (std::size_t j = 0; j < 3; ++j) moved[j] = e[j] + Ints<A>(steps[i][j]);
         }
-        Nearest<A, one>::keep((moved[0] | moved[1] | moved[2]) >= Ints<A>(0),
-                              depths.at(first, one ? SamplePlace{0, 0} : tile.pattern[i]),
-                              d.triangle, tile.nearest + 2 * at);
+        Nearest<A>::keep((moved[0] | moved[1] | moved[2]) >= Ints<A>(0),
+                         depths.at(first, one ? SamplePlace{0, 0} : tile.pattern[i]), d.triangle,
+                         tile.nearest + 2 * at);
       }
     }
   }
@@ -247,7 +247,7 @@ Span row_span(const SetUp<A>& s, std::size_t k, const Drawn& d, SamplePlace plac
 }
 
 /// A large triangle's samples number `sample`.
-template <class A, bool one>
+template <class A>
 void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile,
                 std::size_t sample) {
   const SamplePlace place = tile.pattern[sample];
@@ -271,9 +271,8 @@ void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
       const Ints<A> columns = lane_columns<A>() + Ints<A>(x);
       const std::size_t at =
           block_begin<A>(x - tile.x0, y - tile.y0) * tile.pattern.size() + sample * Ints<A>::size;
-      Nearest<A, one>::keep(columns >= from && columns <= to && from <= to,
-                            depths.at(depths.first(x, y), place), d.triangle,
-                            tile.nearest + 2 * at);
+      Nearest<A>::keep(columns >= from && columns <= to && from <= to,
+                       depths.at(depths.first(x, y), place), d.triangle, tile.nearest + 2 * at);
     }
   }
 }
@@ -335,9 +334,8 @@ void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull
   if (d.x0 > d.x1 || d.y0 > d.y1) return;
   if (small && tile.pattern.size() == 1) return draw_small<A, true>(s, k, d, tile);
   if (small) return draw_small<A, false>(s, k, d, tile);
-  if (tile.pattern.size() == 1) return draw_large<A, true>(s, k, d, tile, 0);
   for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
-    draw_large<A, false>(s, k, d, tile, sample);
+    draw_large<A>(s, k, d, tile, sample);
   }
 }
 

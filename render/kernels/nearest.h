@@ -7,8 +7,7 @@ namespace lumaknot {
 
 /// A packet of samples in memory, two whole numbers each: the bits of 1 / depth, 0 where there is
 /// nothing, and the triangle. Inverse depths are not negative, so their bits compare as they do.
-/// `one`: there is one sample a pixel.
-template <class A, bool one>
+template <class A>
 struct Nearest {
   static constexpr std::size_t kWidth = Ints<A>::size;
 
@@ -49,10 +48,9 @@ static Keys keys_of(const Ints<xsimd::avx512bw>& depths, const Ints<xsimd::avx51
           _mm512_permutex2var_epi32(triangles, high, depths)};
 }
 
-/// Of one sample, keys: draw_tiny() compares them one by one. With several samples most triangles
-/// are drawn in packets, for which keys take longer.
+/// Keys, which draw_tiny() compares one by one.
 template <>
-struct Nearest<xsimd::avx512bw, true> {
+struct Nearest<xsimd::avx512bw> {
   using Lanes = xsimd::avx512bw;
 
   static void clear(std::int32_t* packet) {
@@ -75,6 +73,7 @@ struct Nearest<xsimd::avx512bw, true> {
     return Ints<Lanes>(
         _mm512_permutex2var_epi32(_mm512_load_si512(packet), even, _mm512_load_si512(packet + 16)));
   }
+  static std::int32_t seen(const std::int32_t* packet, int lane) { return packet[2 * lane]; }
 
  private:
   /// Where depths are equal the later triangle stays, whatever its number.

@@ -48,8 +48,7 @@ class TilePainter {
  private:
   void clear() {
     for (std::size_t i = 0; i < memory_.nearest.size(); i += 2 * S::kWidth) {
-      std::int32_t* packet = memory_.nearest.data() + i;
-      one_ ? Nearest<A, true>::clear(packet) : Nearest<A, false>::clear(packet);
+      Nearest<A>::clear(memory_.nearest.data() + i);
     }
   }
 
@@ -76,11 +75,10 @@ class TilePainter {
 
   /// What all samples of a block's pixels see, or kMixed.
   Ints<A> uniform_of(const std::int32_t* block) const {
-    if (one_) return Nearest<A, true>::seen(block);
-    const Ints<A> first = Nearest<A, false>::seen(block);
+    const Ints<A> first = Nearest<A>::seen(block);
     Ints<A> uniform = first;
     for (std::size_t s = 1; s < data_.pattern.size(); ++s) {
-      const Ints<A> other = Nearest<A, false>::seen(block + 2 * s * S::kWidth);
+      const Ints<A> other = Nearest<A>::seen(block + 2 * s * S::kWidth);
       uniform = xsimd::select(other == first, uniform, Ints<A>(kMixed));
     }
     return uniform;
@@ -142,7 +140,7 @@ class TilePainter {
     const std::size_t count = data_.pattern.size();
     std::int32_t seen[16];
     for (std::size_t s = 0; s < count; ++s)
-      seen[s] = Nearest<A, false>::seen(samples + 2 * s * S::kWidth, lane);
+      seen[s] = Nearest<A>::seen(samples + 2 * s * S::kWidth, lane);
     for (std::size_t s = 0; s < count; ++s) {
       const std::int32_t triangle = seen[s];
       if (triangle == kNothing) continue;
@@ -208,7 +206,7 @@ class TilePainter {
   TileMemory& memory_;
   ShadingBatch<A> batch_;
   TileTarget target_;
-  const bool one_ = data_.pattern.size() == 1, tiny_ = one_ && data_.clipped.empty();
+  const bool tiny_ = data_.clipped.empty();
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 

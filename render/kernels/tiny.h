@@ -1,5 +1,5 @@
-/// Triangles of a few pixels with one sample a pixel, a packet of them at once: a lane each, they
-/// walk their boxes in step, and what is inside is packed and then tested for depth.
+/// Triangles of a few pixels, a packet of them at once: a lane each, they walk their boxes in step,
+/// and what is inside is packed and then tested for depth. Sample by sample.
 #pragma once
 
 #include "render/kernels/coverage.h"
@@ -35,11 +35,12 @@ struct TinyBoxes {
 
 static TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarget& tile) {
   using I = Ints<Lanes>;
+  const bool centres = tile.pattern.size() == 1;
   TinyBoxes b;
-  b.x = xsimd::max(first_pixel<Lanes>(o.least[0], true), I(tile.x0));
-  b.y = xsimd::max(first_pixel<Lanes>(o.least[1], true), I(tile.y0));
-  const I x1 = xsimd::min(last_pixel<Lanes>(o.most[0], true), I(tile.x1 - 1));
-  const I y1 = xsimd::min(last_pixel<Lanes>(o.most[1], true), I(tile.y1 - 1));
+  b.x = xsimd::max(first_pixel<Lanes>(o.least[0], centres), I(tile.x0));
+  b.y = xsimd::max(first_pixel<Lanes>(o.least[1], centres), I(tile.y0));
+  const I x1 = xsimd::min(last_pixel<Lanes>(o.most[0], centres), I(tile.x1 - 1));
+  const I y1 = xsimd::min(last_pixel<Lanes>(o.most[1], centres), I(tile.y1 - 1));
   const auto faces = cull ? o.area < I(0) : o.area != I(0);
   b.drawn = __mmask16(faces && b.x <= x1 && b.y <= y1);
   b.columns = _mm512_mask_reduce_max_epi32(b.drawn, x1 - b.x) + 1;
@@ -47,10 +48,19 @@ static TinyBoxes tiny_boxes(const Oriented<Lanes>& o, bool cull, const TileTarge
   return b;
 }
 
-/// The complements of edge functions, negative inside: at the boxes' first pixels, and how they
-/// grow a pixel. Zero where nothing is drawn.
+/// The complements of edge functions, negative inside: at the boxes' first pixels' centres, and how
+/// they grow a pixel. Zero where nothing is drawn.
 struct TinyEdges {
   __m512i first[3], right[3], down[3];
+
+  /// The function number `i` at the first pixel's sample.
+  __m512i at(std::size_t i, SamplePlace place) const {
+    static_assert(kSubpixels % 16 == 0);  // nothing is lost
+    const __m512i x =
+        _mm512_mullo_epi32(_mm512_srai_epi32(right[i], 4), _mm512_set1_epi32(place.x));
+    const __m512i y = _mm512_mullo_epi32(_mm512_srai_epi32(down[i], 4), _mm512_set1_epi32(place.y));
+    return _mm512_add_epi32(first[i], _mm512_add_epi32(x, y));
+  }
 };
 
 static TinyEdges tiny_edges(const Oriented<Lanes>& o, const TinyBoxes& b) {
@@ -77,8 +87,11 @@ struct Hits {
   alignas(64) std::int32_t words[16 * (kTiny + 1) * (kTiny + 1) + 16];  // a packet is stored whole
 };
 
-static void find_hits(const TinyEdges& e, const TinyBoxes& b, Hits& hits) {
-  __m512i row[3] = {e.first[0], e.first[1], e.first[2]};
+template <bool one>
+static void find_hits(const TinyEdges& e, const TinyBoxes& b, SamplePlace place, Hits& hits) {
+  hits.count = 0;
+  __m512i row[3];
+  for (std::size_t i = 0; i < 3; ++i) row[i] = one ? e.first[i] : e.at(i, place);
   for (int y = 0; y < b.rows; ++y) {
     __m512i at[3] = {row[0], row[1], row[2]};
     __m512i word = _mm512_add_epi32(lane_numbers<Lanes>(), _mm512_set1_epi32(256 * y));
@@ -114,7 +127,7 @@ struct Found {
 
 /// Inverse depths of a packet's triangles.
 struct TinyDepths {
-  Floats<Lanes> first;  ///< at the boxes' first pixels
+  Floats<Lanes> first;  ///< at the boxes' first pixels' centres
   Floats<Lanes> least, most;
 };
 
@@ -130,35 +143,54 @@ static TinyDepths tiny_depths(const Oriented<Lanes>& o, const TinyBoxes& b) {
           max(max(o.depth[0], o.depth[1]), o.depth[2])};
 }
 
-/// Draws a packet of tiny triangles, `numbers`, none of which was clipped.
-static void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool cull,
+/// Draws what was found of the sample number `sample`. `one`: there is no other, at the centre.
+template <bool one>
+static void draw_hits(const Hits& hits, std::size_t sample, const Oriented<Lanes>& o,
+                      const Ints<Lanes>& numbers, const TinyBoxes& boxes, const TinyDepths& depths,
                       const TileTarget& tile) {
   using I = Ints<Lanes>;
   using S = Floats<Lanes>;
-  const TinyBoxes boxes = tiny_boxes(o, cull, tile);
-  Hits hits;
-  find_hits(tiny_edges(o, boxes), boxes, hits);
-  const TinyDepths depths = tiny_depths(o, boxes);
+  const SamplePlace place = one ? SamplePlace{0, 0} : tile.pattern[sample];
+  const std::int32_t samples = one ? 1 : std::int32_t(tile.pattern.size());
   const I left = boxes.x - I(tile.x0), top = boxes.y - I(tile.y0);
+  const S first = depths.first + o.slope_x * S(place.x / 16.0) + o.slope_y * S(place.y / 16.0);
   for (std::size_t begin = 0; begin < hits.count; begin += 16) {
     const I hit(_mm512_load_si512(hits.words + begin));
     const auto whole = [&](const I& v) { return I(_mm512_permutexvar_epi32(hit, v)); };
     const auto real = [&](const S& v) { return as_floats<Lanes>(whole(as_ints<Lanes>(v))); };
     const I column = (hit >> 4) & I(15), row = hit >> 8;
     const I x = whole(left) + column, y = whole(top) + row;
-    const S depth = real(depths.first) + real(o.slope_x) * to_floats<Lanes>(column) +
+    const S depth = real(first) + real(o.slope_x) * to_floats<Lanes>(column) +
                     real(o.slope_y) * to_floats<Lanes>(row);
     // Beyond the tile's last pixel, which other lanes' boxes reach.
     const auto beyond = x >= I(tile.x1 - tile.x0) || y >= I(tile.y1 - tile.y0);
-    const I at = (x & I(3)) + ((x >> 2) << 4) + ((y & I(3)) << 2) + ((y >> 2) << 8);
+    const I block = (x >> 2) + ((y >> 2) << 4), lane = (x & I(3)) + ((y & I(3)) << 2);
+    const I at = ((block * I(samples) + I(std::int32_t(sample))) << 4) + lane;
     Found found;
-    xsimd::select(beyond, I(kTile * kTile), at).store_aligned(found.at);
+    xsimd::select(beyond, I(kTile * kTile * samples), at).store_aligned(found.at);
     const Keys keys = keys_of(
         as_ints<Lanes>(min(max(depth, real(depths.least)), real(depths.most))), whole(numbers));
     _mm512_store_si512(found.key, keys.first);
     _mm512_store_si512(found.key + 8, keys.second);
     keep_found(found, std::min<std::size_t>(16, hits.count - begin),
                reinterpret_cast<std::uint64_t*>(tile.nearest));
+  }
+}
+
+/// Draws a packet of tiny triangles, `numbers`, none of which was clipped.
+static void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool cull,
+                      const TileTarget& tile) {
+  const TinyBoxes boxes = tiny_boxes(o, cull, tile);
+  const TinyEdges edges = tiny_edges(o, boxes);
+  const TinyDepths depths = tiny_depths(o, boxes);
+  Hits hits;
+  if (tile.pattern.size() == 1) {
+    find_hits<true>(edges, boxes, {0, 0}, hits);
+    return draw_hits<true>(hits, 0, o, numbers, boxes, depths, tile);
+  }
+  for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
+    find_hits<false>(edges, boxes, tile.pattern[sample], hits);
+    draw_hits<false>(hits, sample, o, numbers, boxes, depths, tile);
   }
 }
 #endif
