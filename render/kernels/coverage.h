@@ -9,6 +9,8 @@ namespace lumaknot {
 
 /// Triangles of at most this many pixels a side have edge functions of 32 bits.
 constexpr int kSmall = 28;
+/// Of these, they have 32 bits within a block; and of more, rows are cut at the edges.
+constexpr int kMedium = 64;
 
 /// The triangles of a packet, their corners in the order in which the area is positive.
 template <class A>
@@ -146,13 +148,13 @@ class BlockDepths {
   double slope_x_, slope_y_, first_;
 };
 
-/// The edge functions of a small triangle, block by block, in 32 bits.
-template <class A>
+/// The edge functions of a small or medium triangle, block by block.
+template <class A, class Whole>
 class BlockEdges {
  public:
-  /// (x, y): the first pixel of the first block.
+  /// (x, y): the first pixel of the first block. `Whole` has 32 bits for small triangles, else 64.
   BlockEdges(const SetUp<A>& s, std::size_t k, int x, int y) {
-    const std::int32_t px = x * kSubpixels + kSubpixels / 2, py = y * kSubpixels + kSubpixels / 2;
+    const Whole px = x * kSubpixels + kSubpixels / 2, py = y * kSubpixels + kSubpixels / 2;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t dx = s.dx[i][k], dy = s.dy[i][k];
       first_[i] = dx * (py - s.ay[i][k]) - dy * (px - s.ax[i][k]) - !owns_samples(dx, dy);
@@ -162,10 +164,15 @@ class BlockEdges {
     }
   }
 
-  /// Of the block `right` and `down` pixels from the first, at its first pixel's centre.
+  /// Of the block `right` and `down` pixels from the first, at its first pixel's centre. Of medium
+  /// triangles the sign alone is right: what is cut off is more than it changes in a block.
   std::array<Ints<A>, 3> block(int right, int down) const {
+    constexpr Whole kMost = 1 << 30;
+    static_assert(std::int64_t(kBlockWidth) * 2 * kMedium * kSubpixels * kSubpixels <= kMost);
     const auto edge = [&](std::size_t i) {
-      return Ints<A>(first_[i] + right_[i] * right + down_[i] * down) + lanes_[i];
+      Whole e = first_[i] + Whole(right_[i]) * right + Whole(down_[i]) * down;
+      if constexpr (sizeof(Whole) > 4) e = std::clamp(e, -kMost, kMost);
+      return Ints<A>(std::int32_t(e)) + lanes_[i];
     };
     return {edge(0), edge(1), edge(2)};
   }
@@ -180,17 +187,18 @@ class BlockEdges {
   }
 
  private:
-  std::array<std::int32_t, 3> first_, right_, down_;
+  std::array<Whole, 3> first_;
+  std::array<std::int32_t, 3> right_, down_;
   std::array<Ints<A>, 3> lanes_;
 };
 
-/// All samples of a small triangle; `one`: there is one a pixel, at its centre. Blocks and samples
-/// that it misses are not told apart: a branch that can't be foreseen takes longer.
-template <class A, bool one>
-void draw_small(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
+/// All samples of a small or medium triangle; `one`: there is one a pixel, at its centre. Blocks
+/// and samples that it misses are not told apart: a branch that can't be foreseen takes longer.
+template <class A, class Whole, bool one>
+void draw_blocks(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
   const int x0 = d.x0 & -kBlockWidth, y0 = d.y0 & -kBlockHeight<A>;
   const std::size_t samples = one ? 1 : tile.pattern.size();
-  const BlockEdges<A> edges(s, k, x0, y0);
+  const BlockEdges<A, Whole> edges(s, k, x0, y0);
   const BlockDepths<A> depths(d);
   std::int32_t steps[16][3];
   if constexpr (!one) edges.sample_steps(tile.pattern, steps);
@@ -326,14 +334,18 @@ Drawn drawn_part(const SetUp<A>& s, std::size_t k, std::uint32_t triangle, const
 template <class A>
 void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull,
                    const TileTarget& tile) {
-  const bool small = s.most[0][k] - s.least[0][k] <= kSmall * kSubpixels &&
-                     s.most[1][k] - s.least[1][k] <= kSmall * kSubpixels;
+  const auto within = [&](int pixels) {
+    return s.most[0][k] - s.least[0][k] <= pixels * kSubpixels &&
+           s.most[1][k] - s.least[1][k] <= pixels * kSubpixels;
+  };
+  const bool small = within(kSmall), one = tile.pattern.size() == 1;
   const std::int64_t area = small ? s.area[k] : set_up_large<A>(s, k);
   if (area == 0 || (cull && area > 0)) return;
   const Drawn d = drawn_part<A>(s, k, triangle, tile);
   if (d.x0 > d.x1 || d.y0 > d.y1) return;
-  if (small && tile.pattern.size() == 1) return draw_small<A, true>(s, k, d, tile);
-  if (small) return draw_small<A, false>(s, k, d, tile);
+  if (small && one) return draw_blocks<A, std::int32_t, true>(s, k, d, tile);
+  if (small) return draw_blocks<A, std::int32_t, false>(s, k, d, tile);
+  if (within(kMedium)) return draw_blocks<A, std::int64_t, false>(s, k, d, tile);
   for (std::size_t sample = 0; sample < tile.pattern.size(); ++sample) {
     draw_large<A>(s, k, d, tile, sample);
   }
