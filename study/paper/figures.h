@@ -1,0 +1,50 @@
+/// The paper's figures, drawn by us and by other renderers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/paper/paper_scenes.h"
+#include "validate/renderer.h"
+
+namespace lumaknot {
+
+/// One renderer's picture; `image` of ours has no difference.
+struct FigureImage {
+  std::string renderer;
+  std::string file;     ///< a PNG file's name below the page's folder; empty: it was not drawn
+  std::string png;      ///< that file's bytes
+  std::string outcome;  ///< "agreed", "differed", "failed" or "skipped"; empty: ours
+  std::string why;      ///< when it was not drawn: the reason and the remedy
+  std::string note;     ///< how it was drawn, when not simply by the renderer
+  double mean = 0;      ///< of each pixel's largest difference of a channel, inside
+  double agree = 0;     ///< share of the covered pixels that are covered in both and within limits
+};
+
+/// A picture of a figure.
+struct FigurePicture {
+  std::string name;                 ///< "front-phong"; letters, digits and '-'
+  std::string caption;              ///< "Phong, light in front"
+  std::vector<FigureImage> images;  ///< ours first
+};
+
+/// A renderer that was asked to draw.
+struct FigureRenderer {
+  std::string name;
+  std::string version;  ///< empty when it never ran
+  double seconds = 0;   ///< of its processes
+  std::string missing;  ///< when it drew nothing: the reason and the remedy
+};
+
+struct Figures {
+  std::vector<FigurePicture> figure1;  ///< front, back, specular: each in Phong, then in YIQ
+  std::vector<FigurePicture> figure2;  ///< Phong, YIQ by eq. 6-8, YIQ as Table 1 lists it
+  std::vector<FigureRenderer> renderers;
+};
+
+/// Draws with us, Cycles and POV-Ray, one process of each a light, both at the same time, and
+/// compares as `lumaknot validate` does. Throws Interrupted.
+Figures draw_figures(const PaperScenes& scenes, const Programs& programs,
+                     const Progress& progress = {});
+
+}  // namespace lumaknot
