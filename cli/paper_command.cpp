@@ -8,6 +8,7 @@
 #include "cli/output_folder.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
+#include "study/paper/kept_light.h"
 #include "study/paper/paper.h"
 #include "validate/process.h"
 
@@ -24,20 +25,33 @@ struct PaperFlags {
   Output out;
 };
 
+std::string where_it_stands(const fs::path& folder) {
+  const int kept = kept_lights(folder);
+  if (kept == 0) return "interrupted; nothing is kept yet";
+  return fmt::format(
+      "interrupted; the pictures of {} of 2 lights are kept in {}; the same command goes on", kept,
+      (folder / "images").string());
+}
+
 void run(PaperFlags flags) {
   make_output_folder(flags.output, "index.html");
   flags.job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   flags.job.rates.peers = !flags.alone;
-  const PaperResult result =
-      reproduce_paper(flags.job, flags.output, progress_bar(flags.out, "paper"));
   const fs::path folder = flags.output;
-  const std::string json = paper_json(result);
-  write_file(folder / "claims.json", json, "--output");
-  write_file(folder / "index.html", paper_html(result), "--output");
-  if (flags.out.json) fmt::print("{}", json);
-  flags.out.say(paper_text(result));
-  flags.out.say(
-      fmt::format("{} claims; see {}", result.claims.size(), (folder / "index.html").string()));
+  try {
+    const PaperResult result = reproduce_paper(flags.job, folder, progress_bar(flags.out, "paper"));
+    const std::string json = paper_json(result);
+    write_file(folder / "claims.json", json, "--output");
+    write_file(folder / "index.html", paper_html(result), "--output");
+    forget_lights(folder);
+    if (flags.out.json) fmt::print("{}", json);
+    flags.out.say(paper_text(result));
+    flags.out.say(
+        fmt::format("{} claims; see {}", result.claims.size(), (folder / "index.html").string()));
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(folder));
+    throw;
+  }
 }
 
 }  // namespace
@@ -67,6 +81,7 @@ void add_paper_command(CLI::App& program) {
   add_program_flags(*command, flags->job.programs);
   add_output_flags(*command, flags->out);
   command->footer(
+      "Ctrl-C keeps the pictures that are drawn; the same command goes on.\n"
       "Examples:\n"
       "  lumaknot paper -o paper/\n"
       "  lumaknot paper --rounds 10 -o paper/\n"

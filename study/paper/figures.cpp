@@ -81,53 +81,69 @@ FigurePicture picture_of(const Validation& validation, std::size_t shot) {
   return picture;
 }
 
-void add_renderers(const Validation& validation, std::vector<FigureRenderer>& all) {
-  for (const Judgement& judgement : validation.judgements) {
-    const Rendering& r = judgement.rendering;
-    auto known = std::ranges::find(all, r.renderer, &FigureRenderer::name);
-    if (known == all.end()) known = all.insert(all.end(), {r.renderer, {}, 0, {}});
-    if (known->version.empty()) known->version = r.version;
-    known->seconds += r.seconds;
-    if (!judgement.drew_any()) known->missing = judgement.shots.front().drawn.why;
-  }
+FigureRenderer renderer_of(const Judgement& judgement) {
+  const Rendering& r = judgement.rendering;
+  return {.name = r.renderer,
+          .version = r.version,
+          .seconds = r.seconds,
+          .missing = judgement.drew_any() ? "" : judgement.shots.front().drawn.why};
 }
 
-FigurePicture captioned(const std::vector<FigurePicture>& all, std::string_view name,
-                        std::string caption) {
-  FigurePicture picture = *std::ranges::find(all, name, &FigurePicture::name);
-  picture.caption = std::move(caption);
-  return picture;
+/// What a renderer did for both lights.
+FigureRenderer joined(const FigureRenderer& a, const FigureRenderer& b) {
+  const bool drew = a.missing.empty() || b.missing.empty();
+  return {.name = a.name,
+          .version = a.version.empty() ? b.version : a.version,
+          .seconds = a.seconds + b.seconds,
+          .missing = drew ? "" : a.missing};
 }
 
 }  // namespace
 
-Figures draw_figures(const PaperScenes& scenes, const Programs& programs,
-                     const Progress& progress) {
+bool LightPictures::complete() const {
+  const auto is_drawn = [](const FigureImage& image) { return !image.file.empty(); };
+  return std::ranges::all_of(
+      pictures, [&](const FigurePicture& p) { return std::ranges::all_of(p.images, is_drawn); });
+}
+
+LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
+                         const std::function<void()>& told) {
+  const bool front = light == FigureLight::kFront;
+  const ValidationJob job{front ? scenes.front : scenes.back,
+                          front ? front_shots(scenes) : back_shots(scenes), kRenderers, programs};
+  const Validation validation = validate(job, [&](const std::string&) {
+    if (told) told();
+  });
+  LightPictures result;
+  for (std::size_t i = 0; i < validation.shots.size(); ++i) {
+    if (validation.shots[i].stage != Stage::kFinal) continue;
+    result.pictures.push_back(picture_of(validation, i));
+  }
+  for (const Judgement& judgement : validation.judgements) {
+    result.renderers.push_back(renderer_of(judgement));
+  }
+  return result;
+}
+
+Figures figures_of(const LightPictures& front, const LightPictures& back) {
   Figures figures;
-  std::vector<FigurePicture> all;
-  const double steps = 2 * double(kRenderers.size());
-  double done = 0;
-  const auto draw = [&](const Scene& scene, std::vector<Shot> finals) {
-    const ValidationJob job{scene, std::move(finals), kRenderers, programs};
-    const Validation validation = validate(job, [&](const std::string&) {
-      if (progress) progress(++done / steps);
-    });
-    for (std::size_t i = 0; i < validation.shots.size(); ++i) {
-      if (validation.shots[i].stage == Stage::kFinal) all.push_back(picture_of(validation, i));
-    }
-    add_renderers(validation, figures.renderers);
+  const auto add = [](std::vector<FigurePicture>& figure, const LightPictures& light,
+                      std::string_view name, std::string caption) {
+    figure.push_back(*std::ranges::find(light.pictures, name, &FigurePicture::name));
+    figure.back().caption = std::move(caption);
   };
-  draw(scenes.front, front_shots(scenes));
-  draw(scenes.back, back_shots(scenes));
-  figures.figure1 = {captioned(all, "front-phong", "Phong, light in front"),
-                     captioned(all, "front-yiq", "YIQ, light in front"),
-                     captioned(all, "back-phong", "Phong, light at the back"),
-                     captioned(all, "back-yiq", "YIQ, light at the back"),
-                     captioned(all, "specular-phong", "Phong, specular reflection only"),
-                     captioned(all, "specular-yiq", "YIQ, specular reflection only")};
-  figures.figure2 = {captioned(all, "front-phong", "Classical lighting, eq. 3"),
-                     captioned(all, "front-yiq", "YIQ, eq. 6 to 8"),
-                     captioned(all, "front-table1", "YIQ as Table 1 lists it")};
+  add(figures.figure1, front, "front-phong", "Phong, light in front");
+  add(figures.figure1, front, "front-yiq", "YIQ, light in front");
+  add(figures.figure1, back, "back-phong", "Phong, light at the back");
+  add(figures.figure1, back, "back-yiq", "YIQ, light at the back");
+  add(figures.figure1, front, "specular-phong", "Phong, specular reflection only");
+  add(figures.figure1, front, "specular-yiq", "YIQ, specular reflection only");
+  add(figures.figure2, front, "front-phong", "Classical lighting, eq. 3");
+  add(figures.figure2, front, "front-yiq", "YIQ, eq. 6 to 8");
+  add(figures.figure2, front, "front-table1", "YIQ as Table 1 lists it");
+  for (std::size_t i = 0; i < front.renderers.size(); ++i) {
+    figures.renderers.push_back(joined(front.renderers[i], back.renderers[i]));
+  }
   return figures;
 }
 

@@ -1,6 +1,7 @@
 /// The paper's figures, drawn by us and by other renderers.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,15 +37,29 @@ struct FigureRenderer {
   std::string missing;  ///< when it drew nothing: the reason and the remedy
 };
 
+/// The pictures of one light, each renderer's from one process.
+struct LightPictures {
+  std::vector<FigurePicture> pictures;
+  std::vector<FigureRenderer> renderers;
+
+  /// Whether every renderer drew every picture.
+  bool complete() const;
+};
+
+/// The light in front, specular reflection alone with it; and the light at the back.
+enum class FigureLight { kFront, kBack };
+
+/// Draws with us, Cycles and POV-Ray, both at the same time, and compares as `lumaknot validate`
+/// does. `told` is called when one of them is done. Throws Interrupted.
+LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
+                         const std::function<void()>& told = {});
+
 struct Figures {
   std::vector<FigurePicture> figure1;  ///< front, back, specular: each in Phong, then in YIQ
   std::vector<FigurePicture> figure2;  ///< Phong, YIQ by eq. 6-8, YIQ as Table 1 lists it
   std::vector<FigureRenderer> renderers;
 };
 
-/// Draws with us, Cycles and POV-Ray, one process of each a light, both at the same time, and
-/// compares as `lumaknot validate` does. Throws Interrupted.
-Figures draw_figures(const PaperScenes& scenes, const Programs& programs,
-                     const Progress& progress = {});
+Figures figures_of(const LightPictures& front, const LightPictures& back);
 
 }  // namespace lumaknot

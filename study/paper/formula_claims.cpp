@@ -105,16 +105,24 @@ PaperClaim eq1_claim(std::span<const LitPoint> points) {
   const auto right = [](const LitPoint& p) { return p.diffuse; };
   const Change worded = over(
       points, [](const LitPoint& p) { return eq1_as_worded(p.directions); }, right);
+  return {
+      "eq1",
+      0,
+      "Eq. 1, where L points from the light source to the surface, is Lambert's law.",
+      "L_D at every pixel of the front picture, with L as the text defines it, against Table 1's, "
+      "whose L points to the light.",
+      {at_most("pixels with another L_D than Table 1's", 100 * worded.share, 0, "%"),
+       note("mean difference of L_D", worded.mean)},
+      ""};
+}
+
+PaperClaim delimited_claim(std::span<const LitPoint> points) {
   const auto [low, high] = std::ranges::minmax(points, {}, &LitPoint::diffuse);
-  return {"eq1",
+  return {"delimited",
           0,
-          "Eq. 1, where L points from the light source to the surface; L_D is within [0, 1].",
-          "L_D at every pixel of Figure 1's front picture, with L as the text defines it, against "
-          "Table 1's, whose L points to the light.",
-          {at_most("pixels with another L_D than Table 1's", 100 * worded.share, 0, "%"),
-           note("mean difference of L_D", worded.mean),
-           at_least("least L_D of Table 1", low.diffuse, 0),
-           at_most("most L_D of Table 1", high.diffuse, 1)},
+          "L_D is delimited within [0, 1].",
+          "The extremes of L_D over the front picture, of unit vectors.",
+          {at_least("least L_D", low.diffuse, 0), at_most("most L_D", high.diffuse, 1)},
           ""};
 }
 
@@ -230,6 +238,7 @@ std::vector<PaperClaim> formula_claims(const PaperScenes& scenes) {
   Vec3d blue{0.15, 0.25, 0};
   blue.z = (dot(weights, red) - dot(weights, blue)) / weights.z;  // of the same luma
   return {eq1_claim(points),
+          delimited_claim(points),
           eq2_claim(points, scene.view.material.shininess),
           rgb_brightness_claim(texture, phong.without),
           grey_added_claim(phong),

@@ -30,6 +30,7 @@ struct LitPoint {
 };
 
 PaperClaim eq1_claim(std::span<const LitPoint> points);
+PaperClaim delimited_claim(std::span<const LitPoint> points);
 PaperClaim eq2_claim(std::span<const LitPoint> points, double shininess);
 
 /// Pictures without highlights against the texture.

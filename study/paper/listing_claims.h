@@ -1,13 +1,13 @@
 /// What section 3 claims of Table 1's listing.
 #pragma once
 
-#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/image.h"
 #include "study/paper/claim.h"
 #include "study/paper/paper_scenes.h"
-#include "validate/renderer.h"
 
 namespace lumaknot {
 
@@ -21,8 +21,12 @@ PaperClaim offset_claim(const ListingPictures& pictures);
 PaperClaim clamps_claim(const ListingPictures& pictures);
 PaperClaim normal_claim(const ListingPictures& pictures);
 
-/// Pixels of a front and a back light where L_D is 0 and L_S more than a step.
-PaperClaim gate_claim(long long front, long long back);
+/// Pixels of a picture where L_D is 0 and L_S more than a step.
+struct Ungated {
+  std::string picture;
+  long long pixels = 0;
+};
+PaperClaim gate_claim(const std::vector<Ungated>& pictures);
 
 /// What the default exponent, which the slider cannot reach, and the slider's most draw.
 struct SliderPictures {
@@ -33,9 +37,12 @@ PaperClaim slider_claim(const SliderPictures& pictures);
 
 PaperClaim slots_claim(int pixel_slots, int vertex_slots);
 
-/// SPIR-V instructions of the same formula from HLSL and from GLSL; none without the compiler.
-PaperClaim glsl_claim(std::optional<int> hlsl, std::optional<int> glsl);
+/// The formula's function in both languages.
+PaperClaim glsl_claim(const std::string& hlsl, const std::string& glsl);
 
-std::vector<PaperClaim> listing_claims(const PaperScenes& scenes, const Programs& programs);
+/// The listing's text as both scans print it.
+PaperClaim ready_claim(std::string_view text);
+
+std::vector<PaperClaim> listing_claims(const PaperScenes& scenes);
 
 }  // namespace lumaknot

@@ -112,9 +112,9 @@ PaperClaim phong_back_claim(const LookPictures& back) {
       "phong-back-grey",
       kSection,
       "With the light at the back, Phong generates grey shades.",
-      "Back picture where n . L <= 0, as displayed: chroma C* of CIELAB, saturation C*/L*, and "
-      "chroma of the highlights, each as a share of the texture's there. Grey: less than half. "
-      "Dark colours have little chroma without being grey; their saturation tells.",
+      "Back picture as displayed: CIELAB chroma C* and saturation C*/L* where n . L <= 0, and "
+      "saturation where L_S is at least 0.1, each as a share of the texture's there. Grey: less "
+      "than half. Dark colours have little chroma without being grey; their saturation tells.",
       {at_most("chroma in the shadow",
                percent_of(mean_chroma(phong, shadow), mean_chroma(texture, shadow)), kHalf, "%"),
        at_most("saturation in the shadow",

@@ -47,10 +47,11 @@ double least_of(const Vec3d& row) {
 }
 double most_of(const Vec3d& row) { return -least_of(-row); }
 
-/// What rounds to the printed `value` of four decimals.
-Measure printed(const std::string& what, double measured, double value) {
-  constexpr double kHalfUnit = 0.5e-4;
-  return within(what, measured, value - kHalfUnit, value + kHalfUnit);
+/// How far the extremes of a row over the RGB cube are from the printed `least` and `most`.
+Measure beyond(const std::string& name, const Vec3d& row, double least, double most) {
+  constexpr double kHalfUnit = 0.5e-4;  // of the four printed decimals
+  const double off = std::max(std::abs(least_of(row) - least), std::abs(most_of(row) - most));
+  return at_most(name + ": extremes beside the printed ones", off, kHalfUnit);
 }
 
 }  // namespace
@@ -63,16 +64,15 @@ YiqMatrices paper_matrices() {
 }
 
 PaperClaim ranges_claim(const YiqMatrices& m) {
-  const auto& rows = m.from_rgb.rows;
+  const auto& [y, i, q] = m.from_rgb.rows;
   return {
       "ranges",
       1,
       "Y is in [0, 1], I in [-0.5957, 0.5957] and Q in [-0.5226, 0.5226].",
-      "The extremes of eq. 4 over the RGB cube, which its corners take. A printed bound holds "
-      "when the extreme rounds to it.",
-      {printed("least Y", least_of(rows[0]), 0), printed("most Y", most_of(rows[0]), 1),
-       printed("least I", least_of(rows[1]), -0.5957), printed("most I", most_of(rows[1]), 0.5957),
-       printed("least Q", least_of(rows[2]), -0.5226), printed("most Q", most_of(rows[2]), 0.5226)},
+      "The extremes of eq. 4 over the RGB cube, which its corners take: a range holds when they "
+      "round to it.",
+      {note("most I", most_of(i)), beyond("Y", y, 0, 1), beyond("I", i, -0.5957, 0.5957),
+       beyond("Q", q, -0.5226, 0.5226)},
       ""};
 }
 
@@ -114,15 +114,14 @@ PaperClaim luma_claim(const Vec3d& weights) {
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }
-  constexpr double kProportional = 0.05;
   return {
       "luma",
       1,
       "Luma is proportional to the gamma-corrected luminance of a colour.",
-      "Y over sRGB's encoded luminance for 215 colours of the RGB cube, sRGB primaries: were it "
-      "proportional, the ratio would be the same for all. Of greys it is 1.",
-      {within("least ratio", least, 1 - kProportional, 1 + kProportional),
-       within("most ratio", most, 1 - kProportional, 1 + kProportional)},
+      "Y over sRGB's encoded luminance for 215 colours of the RGB cube: were it proportional, the "
+      "ratio would be the same for all. Of greys it is 1. Proportional: within a tenth.",
+      {at_most("most ratio over the least", most / least, 1.1), note("least ratio", least),
+       note("most ratio", most)},
       ""};
 }
 

@@ -27,8 +27,9 @@ struct PaperResult {
   RateTable rates;
 };
 
-/// Draws and measures everything; the figures' images are written into `folder` as soon as they are
-/// drawn. Throws Interrupted, and Error when a file can't be written.
+/// Draws and measures everything. The figures' images are written into `folder` as soon as they are
+/// drawn, and what an interrupted run left there is not drawn again. Throws Interrupted, and Error
+/// when a file can't be written.
 PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& folder,
                             const Progress& progress = {});
 

@@ -35,6 +35,7 @@ Data image_data(const FigureImage& image, const FigurePicture& picture) {
   data.set("mean", fmt::format("{:.2g}", image.mean));
   data.set("agree", fmt::format("{:.2f}", 100 * image.agree));
   data.set("note", image.note);
+  data.set("has_note", !image.note.empty());
   return data;
 }
 
@@ -69,6 +70,7 @@ Data claim_data(const PaperClaim& claim) {
   data.set("says", claim.says);
   data.set("how", claim.how);
   data.set("beyond", claim.beyond);
+  data.set("has_beyond", !claim.beyond.empty());
   data.set("ruling", std::string(ruling_name(ruling)));
   data.set("class", ruling_class(ruling));
   for (const Measure& m : claim.measures) measures.push_back(measure_data(m));
@@ -164,6 +166,7 @@ Data renderers_data(const std::vector<FigureRenderer>& renderers) {
     data.set("version", r.version);
     data.set("seconds", fmt::format("{:.1f}", r.seconds));
     data.set("drew", r.missing.empty());
+    data.set("absent", !r.missing.empty());
     data.set("missing", r.missing);
     list.push_back(data);
   }

@@ -14,7 +14,7 @@ namespace lumaknot {
 
 PaperClaim grid_claim(long long vertices, long long triangles);
 
-/// Table 2 against what the text says of it.
+/// Table 2, its rows as paper_rows() has them, against what the text says of it.
 PaperClaim table_claim(std::span<const PaperRow> rows);
 
 PaperClaim slower_claim(std::span<const RateRow> rows);
@@ -30,6 +30,7 @@ struct Forms {
   double collapsed_differs = 0;    ///< largest difference of its picture from the matrices'
 };
 
+PaperClaim fast_conversion_claim(const Forms& forms);
 PaperClaim half_claim(const Forms& forms);
 PaperClaim most_efficient_claim(const Forms& forms);
 PaperClaim collapsed_claim(const Forms& forms);
