@@ -37,6 +37,7 @@ void run(PaperFlags flags) {
   make_output_folder(flags.output, "index.html");
   flags.job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   flags.job.rates.peers = !flags.alone;
+  flags.job.formula_seconds = 12 * flags.job.rates.seconds;
   const fs::path folder = flags.output;
   try {
     const PaperResult result = reproduce_paper(flags.job, folder, progress_bar(flags.out, "paper"));
@@ -73,6 +74,11 @@ void add_paper_command(CLI::App& program) {
       ->add_option("--rounds", flags->job.rates.rounds,
                    "rounds, each of which times every renderer")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--seconds", flags->job.rates.seconds,
+                   "that a renderer draws in a round; formulas are timed for twelve times as long")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
       ->check(CLI::PositiveNumber)

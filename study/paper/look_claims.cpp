@@ -14,6 +14,10 @@ namespace {
 constexpr std::size_t kSection = 3;
 constexpr double kHighlight = 0.1;  // of L_S: bright enough to be seen as one
 
+/// A shade is grey where it has less than half of the texture's chroma, percent, and the texture's
+/// own where its hue is within so many degrees.
+constexpr double kHalf = 50, kAngle = 10;
+
 LookPictures look_pictures(const PaperScenes& scenes, const Scene& scene) {
   const Image diffuse = stage_picture(scenes, scene, Stage::kDiffuse);
   const Image specular = stage_picture(scenes, scene, Stage::kSpecular);
@@ -107,7 +111,6 @@ PaperClaim no_worse_claim(const LookPictures& front) {
 
 PaperClaim phong_back_claim(const LookPictures& back) {
   const auto& [texture, phong, yiq, shadow, highlight, unlit] = back;
-  constexpr double kHalf = 50;
   return {
       "phong-back-grey",
       kSection,
@@ -128,17 +131,16 @@ PaperClaim phong_back_claim(const LookPictures& back) {
 
 PaperClaim yiq_back_claim(const LookPictures& back) {
   const auto& [texture, phong, yiq, shadow, highlight, unlit] = back;
-  constexpr double kMost = 90, kAngle = 10;
   return {
       "yiq-back-color",
       kSection,
       "With the light at the back, YIQ does not generate grey shades.",
-      "The same in YIQ. Not grey: at least 90 % of the texture's chroma; and the shade must be "
-      "the texture's, within 10 degrees of its CIELAB hue.",
+      "The same in YIQ. Not grey: at least half; and the shade must be the texture's, within 10 "
+      "degrees of its CIELAB hue.",
       {at_least("chroma in the shadow",
-                percent_of(mean_chroma(yiq, shadow), mean_chroma(texture, shadow)), kMost, "%"),
+                percent_of(mean_chroma(yiq, shadow), mean_chroma(texture, shadow)), kHalf, "%"),
        at_least("saturation in highlights",
-                percent_of(saturation(yiq, highlight), saturation(texture, highlight)), kMost, "%"),
+                percent_of(saturation(yiq, highlight), saturation(texture, highlight)), kHalf, "%"),
        at_most("mean turn of the hue in the shadow", mean_hue_turn(texture, yiq, shadow), kAngle,
                "degrees"),
        note("pixels that a display cuts off", 100 * share_out_of_gamut(yiq), "%")},
@@ -164,7 +166,6 @@ PaperClaim phong_grey_claim(const std::vector<Image>& phong) {
 }
 
 PaperClaim yiq_keeps_claim(const LookPictures& p) {
-  constexpr double kMost = 50, kAngle = 10;
   return {
       "yiq-specular-color",
       kSection,
@@ -173,7 +174,7 @@ PaperClaim yiq_keeps_claim(const LookPictures& p) {
       "the texture's (kept: half of it, as a highlight is brighter), and its hue.",
       {at_least("chroma in highlights",
                 percent_of(mean_chroma(p.yiq, p.highlight), mean_chroma(p.texture, p.highlight)),
-                kMost, "%"),
+                kHalf, "%"),
        at_most("mean turn of the hue in highlights", mean_hue_turn(p.texture, p.yiq, p.highlight),
                kAngle, "degrees"),
        note("Phong's chroma there",

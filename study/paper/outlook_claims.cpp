@@ -135,12 +135,12 @@ PaperClaim slow_spaces_claim(const std::vector<FormulaTime>& times) {
   for (const char* formula : {"cielab-phong", "cieluv-phong"}) {
     const double ms = time_of(times, formula).milliseconds.median;
     const std::string space = std::string(formula).substr(0, 6);
-    claim.measures.push_back(at_most(space, 1000 / ms, 30, "frames a second"));
+    claim.measures.push_back(at_most(space, 1000 / ms, 30, "frames/s"));
     claim.measures.push_back(at_least(space + ": time over YIQ's", ms / yiq, 2));
   }
   for (const char* formula : {"din99-phong", "atd95-phong"}) {
     const double ms = time_of(times, formula).milliseconds.median;
-    claim.measures.push_back(note(std::string(formula).substr(0, 5), 1000 / ms, "frames a second"));
+    claim.measures.push_back(note(std::string(formula).substr(0, 5), 1000 / ms, "frames/s"));
   }
   return claim;
 }
@@ -157,12 +157,12 @@ PaperClaim perceptual_claim(const Image& texture, const std::vector<SpacePicture
       "accuracy.",
       "Back picture as displayed where n . L <= 0: how far the CIELAB hue turns from "
       "the texture's, which light should not change. More accurate: less than in YIQ.",
-      {at_most("atd95", turn("atd95"), turn("yiq"), "degrees"),
-       at_most("din99", turn("din99"), turn("yiq"), "degrees")},
+      {at_most("mean turn, atd95", turn("atd95"), turn("yiq"), "degrees"),
+       at_most("mean turn, din99", turn("din99"), turn("yiq"), "degrees")},
       ""};
   for (const SpacePicture& s : spaces) {
     if (s.name == "atd95" || s.name == "din99") continue;
-    claim.measures.push_back(note(s.name, turn(s.name), "degrees"));
+    claim.measures.push_back(note("mean turn, " + s.name, turn(s.name), "degrees"));
   }
   return claim;
 }

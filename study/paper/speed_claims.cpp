@@ -158,7 +158,7 @@ PaperClaim real_time_claim(std::span<const RateRow> rows) {
   for (const RateRow& row : rows) {
     if (row.threads != 1 || row.samples != 1) continue;
     claim.measures.push_back(
-        at_least(row.renderer, rate_of(row.milliseconds[kTable1]), kRealTime, "frames a second"));
+        at_least(row.renderer, rate_of(row.milliseconds[kTable1]), kRealTime, "frames/s"));
   }
   return claim;
 }
