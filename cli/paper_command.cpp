@@ -59,7 +59,7 @@ void run(PaperFlags flags) {
 
 void add_paper_command(CLI::App& program) {
   auto flags = std::make_shared<PaperFlags>();
-  flags->job.rates.rounds = 2;
+  flags->job.rates.rounds = 3;
   flags->job.rates.seconds = 0.3;
   CLI::App* command = program.add_subcommand(
       "paper", "Reproduce the paper on one page: its figures, claims and Table 2");

@@ -23,10 +23,6 @@ std::string file_word(std::string_view name) {
   return word;
 }
 
-std::string file_of(std::string_view picture, std::string_view renderer) {
-  return fmt::format("images/{}-{}.png", picture, file_word(renderer));
-}
-
 /// The pictures of one light, all from one process of each renderer.
 std::vector<Shot> front_shots(const PaperScenes& scenes) {
   const Material& front = scenes.front.view.material;
@@ -57,7 +53,7 @@ FigureImage their_image(const std::string& shot, const std::string& renderer,
                     .why = judged.drawn.why,
                     .note = judged.drawn.note};
   if (judged.drawn.status != Drawn::Status::kDrawn) return image;
-  image.file = file_of(shot, renderer);
+  image.file = figure_file(shot, renderer);
   image.mean = judged.comparison.mean;
   image.agree = agreeing_share(judged.comparison);
   return image;
@@ -69,7 +65,7 @@ FigurePicture picture_of(const Validation& validation, std::size_t shot) {
   FigurePicture picture{name, {}, {}};
   const std::string& own = validation.own.renderer;
   picture.images.push_back({.renderer = own,
-                            .file = file_of(name, own),
+                            .file = figure_file(name, own),
                             .png = validation.own_pictures[shot],
                             .outcome = {},
                             .why = {},
@@ -99,6 +95,10 @@ FigureRenderer joined(const FigureRenderer& a, const FigureRenderer& b) {
 }
 
 }  // namespace
+
+std::string figure_file(std::string_view picture, std::string_view renderer) {
+  return fmt::format("images/{}-{}.png", picture, file_word(renderer));
+}
 
 bool LightPictures::complete() const {
   const auto is_drawn = [](const FigureImage& image) { return !image.file.empty(); };

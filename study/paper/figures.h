@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/paper/paper_scenes.h"
@@ -21,6 +22,9 @@ struct FigureImage {
   double mean = 0;      ///< of each pixel's largest difference of a channel, inside
   double agree = 0;     ///< share of the covered pixels that are covered in both and within limits
 };
+
+/// Where a renderer's picture lies, below the page's folder.
+std::string figure_file(std::string_view picture, std::string_view renderer);
 
 /// A picture of a figure.
 struct FigurePicture {

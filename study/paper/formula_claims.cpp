@@ -213,6 +213,20 @@ PaperClaim highlight_depends_claim(const HighlightPictures& yiq) {
       ""};
 }
 
+PaperClaim eliminated_claim(const HighlightPictures& phong, const HighlightPictures& yiq) {
+  return {
+      "eliminated",
+      4,
+      "The approach eliminates RGB's restrictions: that the diffuse colour cannot become brighter "
+      "and that the specular reflection adds grey whatever the texture.",
+      "Front pictures as computed: luma of YIQ's above Phong's without highlights, and the tint "
+      "of what YIQ's highlight adds; both by more than 1/255.",
+      {at_least("mean luma above Phong's", mean_luma_gain(yiq.without, phong.without), kStep),
+       at_least("largest tint of what is added", largest_tint(minus(yiq.with, yiq.without)),
+                kStep)},
+      ""};
+}
+
 PaperClaim always_depends_claim(const Image& one, const Image& other) {
   const Marks all = covered(one);
   const auto same = [&](double share) { return 100 * (1 - share); };
@@ -249,6 +263,7 @@ std::vector<PaperClaim> formula_claims(const PaperScenes& scenes) {
           kept_color_claim(texture, yiq.with),
           yiq_brightness_claim(texture, phong.without, yiq.without),
           highlight_depends_claim(yiq),
+          eliminated_claim(phong, yiq),
           always_depends_claim(plain_picture(scenes, red), plain_picture(scenes, blue))};
 }
 

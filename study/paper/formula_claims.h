@@ -46,6 +46,8 @@ struct HighlightPictures {
 PaperClaim grey_added_claim(const HighlightPictures& phong);
 PaperClaim highlight_depends_claim(const HighlightPictures& yiq);
 
+PaperClaim eliminated_claim(const HighlightPictures& phong, const HighlightPictures& yiq);
+
 /// One view with two textures.
 PaperClaim always_depends_claim(const Image& one, const Image& other);
 

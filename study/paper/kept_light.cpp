@@ -67,7 +67,11 @@ void keep_light(const LightPictures& light, const fs::path& folder, FigureLight 
   for (const FigurePicture& picture : light.pictures) {
     Json images = Json::array();
     for (const FigureImage& image : picture.images) {
-      if (!image.file.empty()) write_file(folder / image.file, image.png, kFlag);
+      if (image.file.empty()) {  // what an earlier run drew there is not this one's
+        fs::remove(folder / figure_file(picture.name, image.renderer));
+      } else {
+        write_file(folder / image.file, image.png, kFlag);
+      }
       images.push_back(image_json(image));
     }
     json["pictures"].push_back({{"name", picture.name}, {"images", images}});

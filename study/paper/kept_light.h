@@ -9,8 +9,8 @@
 
 namespace lumaknot {
 
-/// Writes the images to their places in `folder`, then what was measured of them to
-/// images/LIGHT.json with `key`. Throws Error.
+/// Writes the images to their places in `folder`, where those that were not drawn are removed, then
+/// what was measured of them to images/LIGHT.json with `key`. Throws Error.
 void keep_light(const LightPictures& light, const std::filesystem::path& folder, FigureLight which,
                 const std::string& key);
 

@@ -34,6 +34,12 @@ PaperClaim slow_spaces_claim(const std::vector<FormulaTime>& times);
 PaperClaim perceptual_claim(const Image& texture, const std::vector<SpacePicture>& spaces,
                             const Marks& shadow);
 
+/// Pictures of one light; `real` computed on linear light.
+struct RealPictures {
+  Image real, phong, yiq;
+};
+PaperClaim realism_claim(const RealPictures& front, const RealPictures& back);
+
 PaperClaim complex_scenes_claim(double flip_near, double flip_far);
 
 std::vector<PaperClaim> outlook_claims(const PaperScenes& scenes,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <kainjow/mustache.hpp>
 
 #include "exporters/image_file.h"
@@ -107,6 +108,12 @@ Data counts_data(const std::vector<PaperClaim>& claims) {
 
 std::string rate_text(double rate) { return fmt::format("{:.{}f}", rate, rate < 100 ? 1 : 0); }
 
+/// Percent with one decimal, and no "-0.0".
+std::string cost_text(double share) {
+  const double rounded = std::round(1000 * share) / 10;
+  return fmt::format("{:.1f}", rounded == 0 ? 0 : rounded);
+}
+
 std::string samples_text(int samples) {
   return samples == 1 ? "none" : fmt::format("{}x", samples);
 }
@@ -124,9 +131,9 @@ Data rate_data(const RateRow& row, const RateTable& table) {
   data.set("samples", samples_text(row.samples));
   data.set("classical", rate_text(1000 / ms[0].median));
   data.set("table1", rate_text(1000 / ms[2].median));
-  data.set("cost", fmt::format("{:.1f}", 100 * row.costs[2]));
+  data.set("cost", cost_text(row.costs[2]));
   data.set("yiq", rate_text(1000 / ms[1].median));
-  data.set("yiq_cost", fmt::format("{:.1f}", 100 * row.costs[1]));
+  data.set("yiq_cost", cost_text(row.costs[1]));
   data.set("spread", spread_text(ms[0]));
   data.set("table1_spread", spread_text(ms[2]));
   return data;
@@ -139,7 +146,7 @@ Data paper_rate_data(const PaperRow& row) {
   data.set("samples", samples_text(row.samples));
   data.set("classical", rate_text(row.classical));
   data.set("table1", rate_text(row.yiq));
-  data.set("cost", fmt::format("{:.1f}", 100 * (1 - row.yiq / row.classical)));
+  data.set("cost", cost_text(1 - row.yiq / row.classical));
   return data;
 }
 

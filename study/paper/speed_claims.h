@@ -33,6 +33,7 @@ struct Forms {
 PaperClaim fast_conversion_claim(const Forms& forms);
 PaperClaim half_claim(const Forms& forms);
 PaperClaim most_efficient_claim(const Forms& forms);
+PaperClaim rgb_output_claim(const Forms& forms);
 PaperClaim collapsed_claim(const Forms& forms);
 PaperClaim no_compromise_claim(const Forms& forms);
 

@@ -105,6 +105,14 @@ TEST(PaperFormulas, a_highlight_is_grey_or_has_the_tint_of_what_it_adds) {
   EXPECT_EQ(ruling_of(highlight_depends_claim(tinted)), Ruling::kHolds);
 }
 
+TEST(PaperFormulas, restrictions_are_eliminated_by_brightness_and_tint) {
+  const HighlightPictures dark{filled({0.75f, 0.5f, 0.375f}), filled({0.5f, 0.25f, 0.125f})};
+  const HighlightPictures bright{filled({1, 0.5f, 0.25f}), filled({0.75f, 0.5f, 0.375f})};
+  EXPECT_EQ(ruling_of(eliminated_claim(dark, bright)), Ruling::kHolds);
+  EXPECT_EQ(ruling_of(eliminated_claim(bright, bright)), Ruling::kHoldsInPart);
+  EXPECT_EQ(ruling_of(eliminated_claim(dark, dark)), Ruling::kDoesNotHold);
+}
+
 TEST(PaperFormulas, two_textures_that_a_display_cuts_to_white_look_the_same) {
   const Image red = filled({0.6f, 0.2f, 0.1f}), blue = filled({0.1f, 0.2f, 0.6f});
   EXPECT_EQ(ruling_of(always_depends_claim(red, blue)), Ruling::kHolds);

@@ -83,6 +83,13 @@ TEST(PaperOutlook, models_benefit_by_chroma) {
   EXPECT_EQ(ruling_of(models_claim(kRed, {{"b", kRed, kRed}})), Ruling::kDoesNotHold);
 }
 
+TEST(PaperOutlook, more_real_is_nearer_to_the_picture_of_linear_light) {
+  const RealPictures nearer{kRed, kGrey, kRed}, farther{kRed, kRed, kGrey};
+  EXPECT_EQ(ruling_of(realism_claim(nearer, nearer)), Ruling::kHolds);
+  EXPECT_EQ(ruling_of(realism_claim(nearer, farther)), Ruling::kHoldsInPart);
+  EXPECT_EQ(ruling_of(realism_claim(farther, farther)), Ruling::kDoesNotHold);
+}
+
 TEST(PaperOutlook, a_space_whose_picture_is_no_numbers_cannot_be_used) {
   const Image broken = with_first(kRed, {NAN, 0, 0});
   EXPECT_EQ(ruling_of(spaces_claim({{"yiq", kRed, 30}})), Ruling::kHolds);

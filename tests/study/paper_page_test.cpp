@@ -17,7 +17,7 @@ using ::testing::Not;
 
 FigureImage drawn_image(const std::string& renderer, const std::string& picture) {
   return {.renderer = renderer,
-          .file = "images/" + picture + "-" + renderer + ".png",
+          .file = figure_file(picture, renderer),
           .png = "bytes of " + picture,
           .outcome = renderer == "lumaknot" ? "" : "agreed",
           .why = {},
@@ -86,7 +86,7 @@ TEST(PaperPage, needs_no_other_file_and_no_script) {
 TEST(PaperPage, a_missing_renderer_is_named_with_the_remedy_and_has_no_pictures) {
   const std::string page = paper_html(result(false));
   EXPECT_THAT(page, HasSubstr("Other: missing, its pictures are absent: apt-get install it"));
-  EXPECT_THAT(page, Not(HasSubstr("-Other.png")));
+  EXPECT_THAT(page, Not(HasSubstr("-other.png")));
   EXPECT_THAT(paper_text(result(false)), HasSubstr("Other is missing: apt-get install it"));
   EXPECT_THAT(paper_html(result(true)), Not(HasSubstr("missing, its pictures")));
 }
@@ -116,6 +116,15 @@ TEST(KeptLight, is_read_as_it_was_kept) {
   EXPECT_EQ(kept_lights(folder.path()), 1);
 }
 
+TEST(KeptLight, what_an_earlier_run_drew_and_this_one_did_not_goes_away) {
+  const PrivateFolder folder;
+  const std::filesystem::path file = folder.path() / figure_file("front-yiq", "Other");
+  std::filesystem::create_directories(folder.path() / "images");
+  write_file(file, "old", "test");
+  keep_light(front(false), folder.path(), FigureLight::kFront, "key");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(KeptLight, is_drawn_anew_under_another_key_or_when_a_file_or_a_renderer_was_missing) {
   const PrivateFolder folder;
   const auto is_kept = [&](const std::string& key) {
@@ -125,7 +134,7 @@ TEST(KeptLight, is_drawn_anew_under_another_key_or_when_a_file_or_a_renderer_was
   keep_light(light({"back-phong", "back-yiq"}, true), folder.path(), FigureLight::kBack, "key");
   EXPECT_TRUE(is_kept("key"));
   EXPECT_FALSE(is_kept("other"));
-  std::filesystem::remove(folder.path() / "images/back-yiq-Other.png");
+  std::filesystem::remove(folder.path() / "images/back-yiq-other.png");
   EXPECT_FALSE(is_kept("key"));
   keep_light(light({"back-phong", "back-yiq"}, false), folder.path(), FigureLight::kBack, "key");
   EXPECT_FALSE(is_kept("key"));

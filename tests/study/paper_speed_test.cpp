@@ -111,6 +111,12 @@ TEST(PaperSpeed, an_optimised_form_has_fewer_slots_and_the_same_picture) {
   EXPECT_EQ(ruling_of(collapsed_claim(f)), Ruling::kDoesNotHold);
 }
 
+TEST(PaperSpeed, an_output_in_yiq_has_a_number_and_no_verdict) {
+  const PaperClaim claim = rgb_output_claim(forms(20, 30, 24, 25, 10, 0));
+  EXPECT_EQ(ruling_of(claim), Ruling::kNotMeasurable);
+  EXPECT_EQ(measure(claim, "slots of the conversion back").value, 5);
+}
+
 TEST(PaperSpeed, no_compromise_is_one_percent) {
   EXPECT_EQ(ruling_of(no_compromise_claim(forms(20, 30, 24, 25, 10, 0.005))), Ruling::kHolds);
   EXPECT_EQ(ruling_of(no_compromise_claim(forms(20, 30, 24, 25, 10, 0.05))), Ruling::kDoesNotHold);
