@@ -25,6 +25,7 @@ void add_bench_command(CLI::App& program);
 void add_chart_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
 void add_budget_command(CLI::App& program);
+void add_paper_command(CLI::App& program);
 void add_doctor_command(CLI::App& program);
 void add_completion_command(CLI::App& program);
 

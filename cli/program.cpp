@@ -42,6 +42,7 @@ int run_program(int argc, char** argv) {
   add_chart_command(program);
   add_stability_command(program);
   add_budget_command(program);
+  add_paper_command(program);
   add_doctor_command(program);
   add_completion_command(program);
   try {

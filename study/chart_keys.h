@@ -1,4 +1,4 @@
-/// What a chart was measured of, as short keys. Inside the chart alone.
+/// What results were measured of, as short keys: what is kept of others is measured anew.
 #pragma once
 
 #include <string>

@@ -1,0 +1,150 @@
+#include "study/paper/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "scene/presets.h"
+#include "validate/report.h"
+#include "validate/validate.h"
+
+namespace lumaknot {
+namespace {
+
+const std::vector<std::string> kRenderers{"cycles", "povray"};
+
+/// "povray" for "POV-Ray".
+std::string file_word(std::string_view name) {
+  std::string word;
+  for (const unsigned char c : name) {
+    if (std::isalnum(c)) word += char(std::tolower(c));
+  }
+  return word;
+}
+
+/// The pictures of one light, all from one process of each renderer.
+std::vector<Shot> front_shots(const PaperScenes& scenes) {
+  const Material& front = scenes.front.view.material;
+  const Material specular = transferred(scenes.specular, scenes.front);
+  return {{"front-phong", Stage::kFinal, *with_formula(front, "phong")},
+          {"front-yiq", Stage::kFinal, *with_formula(front, "yiq-eq6")},
+          {"front-table1", Stage::kFinal, *with_formula(front, "yiq-table1")},
+          {"specular-phong", Stage::kFinal, *with_formula(specular, "phong")},
+          {"specular-yiq", Stage::kFinal, *with_formula(specular, "yiq-eq6")}};
+}
+
+std::vector<Shot> back_shots(const PaperScenes& scenes) {
+  const Material& back = scenes.back.view.material;
+  return {{"back-phong", Stage::kFinal, *with_formula(back, "phong")},
+          {"back-yiq", Stage::kFinal, *with_formula(back, "yiq-eq6")}};
+}
+
+double agreeing_share(const Comparison& c) {
+  return c.covered ? 1 - double(c.outliers + c.coverage_differs) / double(c.covered) : 0;
+}
+
+FigureImage their_image(const std::string& shot, const std::string& renderer,
+                        const Judged& judged) {
+  FigureImage image{.renderer = renderer,
+                    .file = {},
+                    .png = judged.pictures.theirs,
+                    .outcome = std::string(outcome(judged)),
+                    .why = judged.drawn.why,
+                    .note = judged.drawn.note};
+  if (judged.drawn.status != Drawn::Status::kDrawn) return image;
+  image.file = figure_file(shot, renderer);
+  image.mean = judged.comparison.mean;
+  image.agree = agreeing_share(judged.comparison);
+  return image;
+}
+
+/// The shot's picture by all renderers.
+FigurePicture picture_of(const Validation& validation, std::size_t shot) {
+  const std::string& name = validation.shots[shot].name;
+  FigurePicture picture{name, {}, {}};
+  const std::string& own = validation.own.renderer;
+  picture.images.push_back({.renderer = own,
+                            .file = figure_file(name, own),
+                            .png = validation.own_pictures[shot],
+                            .outcome = {},
+                            .why = {},
+                            .note = {}});
+  for (const Judgement& judgement : validation.judgements) {
+    picture.images.push_back(
+        their_image(name, judgement.rendering.renderer, judgement.shots[shot]));
+  }
+  return picture;
+}
+
+FigureRenderer renderer_of(const Judgement& judgement) {
+  const Rendering& r = judgement.rendering;
+  return {.name = r.renderer,
+          .version = r.version,
+          .seconds = r.seconds,
+          .missing = judgement.drew_any() ? "" : judgement.shots.front().drawn.why};
+}
+
+/// What a renderer did for both lights.
+FigureRenderer joined(const FigureRenderer& a, const FigureRenderer& b) {
+  const bool drew = a.missing.empty() || b.missing.empty();
+  return {.name = a.name,
+          .version = a.version.empty() ? b.version : a.version,
+          .seconds = a.seconds + b.seconds,
+          .missing = drew ? "" : a.missing};
+}
+
+}  // namespace
+
+std::string figure_file(std::string_view picture, std::string_view renderer) {
+  return fmt::format("images/{}-{}.png", picture, file_word(renderer));
+}
+
+bool LightPictures::complete() const {
+  const auto is_drawn = [](const FigureImage& image) { return !image.file.empty(); };
+  return std::ranges::all_of(
+      pictures, [&](const FigurePicture& p) { return std::ranges::all_of(p.images, is_drawn); });
+}
+
+LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
+                         const std::function<void()>& told) {
+  const bool front = light == FigureLight::kFront;
+  const ValidationJob job{front ? scenes.front : scenes.back,
+                          front ? front_shots(scenes) : back_shots(scenes), kRenderers, programs};
+  const Validation validation = validate(job, [&](const std::string&) {
+    if (told) told();
+  });
+  LightPictures result;
+  for (std::size_t i = 0; i < validation.shots.size(); ++i) {
+    if (validation.shots[i].stage != Stage::kFinal) continue;
+    result.pictures.push_back(picture_of(validation, i));
+  }
+  for (const Judgement& judgement : validation.judgements) {
+    result.renderers.push_back(renderer_of(judgement));
+  }
+  return result;
+}
+
+Figures figures_of(const LightPictures& front, const LightPictures& back) {
+  Figures figures;
+  const auto add = [](std::vector<FigurePicture>& figure, const LightPictures& light,
+                      std::string_view name, std::string caption) {
+    figure.push_back(*std::ranges::find(light.pictures, name, &FigurePicture::name));
+    figure.back().caption = std::move(caption);
+  };
+  add(figures.figure1, front, "front-phong", "Phong, light in front");
+  add(figures.figure1, front, "front-yiq", "YIQ, light in front");
+  add(figures.figure1, back, "back-phong", "Phong, light at the back");
+  add(figures.figure1, back, "back-yiq", "YIQ, light at the back");
+  add(figures.figure1, front, "specular-phong", "Phong, specular reflection only");
+  add(figures.figure1, front, "specular-yiq", "YIQ, specular reflection only");
+  add(figures.figure2, front, "front-phong", "Classical lighting, eq. 3");
+  add(figures.figure2, front, "front-yiq", "YIQ, eq. 6 to 8");
+  add(figures.figure2, front, "front-table1", "YIQ as Table 1 lists it");
+  for (std::size_t i = 0; i < front.renderers.size(); ++i) {
+    figures.renderers.push_back(joined(front.renderers[i], back.renderers[i]));
+  }
+  return figures;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,58 @@
+#include "study/paper/formula_times.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "render/fast_renderer.h"
+#include "scene/presets.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::unique_ptr<FastRenderer> renderer_of(Scene scene, const std::string& formula) {
+  scene.view.material = *with_formula(scene.view.material, formula);
+  FastOptions options;
+  options.filter = Filter::kTrilinear;
+  options.threads = 1;
+  return std::make_unique<FastRenderer>(scene, options);
+}
+
+}  // namespace
+
+std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std::string>& formulas,
+                                       double seconds, const Progress& progress) {
+  constexpr std::size_t kLeastRounds = 3;
+  std::vector<std::unique_ptr<FastRenderer>> renderers;
+  Grid<Rgba8> image;
+  for (const std::string& formula : formulas) {
+    renderers.push_back(renderer_of(scene, formula));
+    renderers.back()->draw(image);  // the first frame takes the memory
+  }
+  std::vector<std::vector<double>> times(formulas.size());
+  const auto start = Clock::now();
+  for (double share = 0; share < 1 || times.front().size() < kLeastRounds;) {
+    for (std::size_t i = 0; i < renderers.size(); ++i) {
+      check_interrupted();
+      const auto before = Clock::now();
+      renderers[i]->draw(image);
+      times[i].push_back(milliseconds_since(before));
+    }
+    share = seconds > 0 ? milliseconds_since(start) / 1000 / seconds : 1;
+    if (progress) progress(std::min(share, 1.0));
+  }
+  std::vector<FormulaTime> result;
+  for (std::size_t i = 0; i < formulas.size(); ++i) {
+    result.push_back({formulas[i], spread_of(times[i]), 1 - paired_ratio(times[0], times[i])});
+  }
+  return result;
+}
+
+}  // namespace lumaknot
