@@ -47,7 +47,7 @@ Data entry_data(const Entry& e) {
   data.set("boundary", boundary_text(e.boundary));
   data.set("holds", fmt::format("{:.4g}", e.boundary.holds.error));
   data.set("fails", fmt::format("{:.4g}", e.boundary.fails.error));
-  data.set("worst", e.guarded.empty() ? "" : fmt::format("{:.3g}", e.guarded_worst));
+  if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));
   data.set("also", also_data(e.also));
   data.set("has_also", !e.also.empty());
   for (const Picture& picture : e.pictures) pictures.push_back(picture_data(picture));

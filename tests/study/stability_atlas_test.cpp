@@ -14,6 +14,7 @@ namespace lumaknot {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Holds up to x = `at`.
 Region step_at(double at, const Sweep& sweep) {
@@ -87,6 +88,16 @@ TEST(Atlas, survives_json_with_its_pictures) {
   EXPECT_EQ(atlas_html(read_atlas(json, folder.path(), "a")), atlas_html(atlas));
   EXPECT_TRUE(nlohmann::json::parse(json)["regions"][0]["fails"][1].is_null());
   EXPECT_THAT(atlas_html(atlas), HasSubstr("a &lt;step&gt;"));
+}
+
+TEST(Atlas, tells_the_remedys_worst_where_it_is_measured) {
+  const auto html_of = [](const Region& region) {
+    return atlas_html({{examine(region, {.pictures = false}, [](double) {})}, {}});
+  };
+  Region region = step_at(0.3, {"x", 0, 2});
+  EXPECT_THAT(html_of(region), HasSubstr("worst over the sweep: 0.25"));
+  region.guarded = nullptr;
+  EXPECT_THAT(html_of(region), Not(HasSubstr("worst over the sweep")));
 }
 
 TEST(Atlas, refuses_what_is_none) {
