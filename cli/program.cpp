@@ -42,6 +42,7 @@ int run_program(int argc, char** argv) {
   add_chart_command(program);
   add_stability_command(program);
   add_budget_command(program);
+  add_plan_command(program, exit_code);
   add_doctor_command(program);
   add_completion_command(program);
   try {
