@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "render/truth.h"
@@ -31,6 +32,11 @@ SampleRange range_about(const Sample& sample, double error) {
   SampleRange range{{{kFar, kFar, kFar}, kFar}, {{-kFar, -kFar, -kFar}, -kFar}};
   range.add(sample, error);
   return range;
+}
+
+std::unique_ptr<NearbyRange> nearby_range(const Sample& sample, double error) {
+  const SampleRange range = range_about(sample, error);
+  return std::make_unique<NearbyRange>(NearbyRange{range, range, 0});
 }
 
 /// The pixels in `order` by falling error.
@@ -69,7 +75,7 @@ void Judge::take_centres() {
     if (!seen.covered()) return;
     const Sample sample = pixels_.sample(seen);
     truth_.pixels[i] = {to_rgb(sample.color), 1};
-    ranges_[i] = std::make_unique<NearbyRange>(NearbyRange{range_about(sample, 0)});
+    ranges_[i] = nearby_range(sample, 0);
   });
 }
 
@@ -85,7 +91,7 @@ void Judge::take_means(const Progress& progress) {
         truth_.at(x, row) = {to_rgb(sample.color), float(sample.coverage)};
         if (sample.coverage == 0) continue;
         const std::size_t i = std::size_t(row) * std::size_t(truth_.width) + std::size_t(x);
-        ranges_[i] = std::make_unique<NearbyRange>(NearbyRange{range_about(sample, error)});
+        ranges_[i] = nearby_range(sample, error);
       }
     });
     done = end;
@@ -94,16 +100,18 @@ void Judge::take_means(const Progress& progress) {
 }
 
 /// Looks about until the sample is within the tolerance, or so many steps are done.
-double Judge::error_at(std::size_t pixel, const Sample& sample, int steps) const {
+Judge::Found Judge::found_at(std::size_t pixel, const Sample& sample, int steps) const {
   std::unique_ptr<NearbyRange>& nearby = ranges_[pixel];
-  if (!nearby) nearby = std::make_unique<NearbyRange>(NearbyRange{range_about({}, 0)});
+  if (!nearby) nearby = nearby_range({}, 0);
   double error = nearby->range.distance(sample);
   const int x = int(pixel % std::size_t(truth_.width)), y = int(pixel / std::size_t(truth_.width));
   while (!(error <= tolerance_.color) && nearby->looked < steps) {
     nearby_.widen(*nearby, x, y);
     error = nearby->range.distance(sample);
   }
-  return error;
+  if (error <= tolerance_.color || steps < nearby_.all_steps()) return {error, false};
+  const double behind = nearby->behind.distance(sample);
+  return {std::min(error, behind), behind <= tolerance_.color};
 }
 
 PixelErrors Judge::examine(const Image& picture, bool all) const {
@@ -119,10 +127,13 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
     result.errors.pixels[i] = float(error);
     far.push_back(i);
   }
+  std::atomic<long long> hidden = 0;
   const auto look = [&](std::span<const std::size_t> pixels, int steps) {
     oneapi::tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) {
       const std::size_t i = pixels[k];
-      result.errors.pixels[i] = float(error_at(i, sample_of(picture.pixels[i]), steps));
+      const Found found = found_at(i, sample_of(picture.pixels[i]), steps);
+      result.errors.pixels[i] = float(found.error);
+      hidden += found.hidden;
     });
   };
   const auto beyond = [&](std::size_t i) { return !(result.errors.pixels[i] <= tolerance_.color); };
@@ -137,6 +148,7 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
     judgement.failing += std::ranges::count_if(chunk, beyond);
     if (!all && judgement.failing > 0) break;
   }
+  judgement.hidden = hidden;
   judgement.met = judgement.failing == 0;
   for (std::size_t i = 0; i < result.errors.pixels.size(); ++i) {
     judgement.error = std::max(judgement.error, double(result.errors.pixels[i]));

@@ -18,6 +18,7 @@ struct Judgement {
   double in_place = 0;    ///< the largest, from the truth at the very pixel
   long long covered = 0;  ///< pixels that the picture or the truth covers
   long long shifted = 0;  ///< those beyond the tolerance in place
+  long long hidden = 0;   ///< those within it by what is hidden by less than the shift alone
   long long failing = 0;  ///< those beyond the tolerance; when stopped early, at least so many
   bool met = false;
 };
@@ -55,7 +56,11 @@ class Judge {
   PixelErrors examine(const Image& picture, bool all) const;
   void take_centres();
   void take_means(const Progress& progress);
-  double error_at(std::size_t pixel, const Sample& sample, int steps) const;
+  struct Found {
+    double error = 0;
+    bool hidden = false;  ///< within the tolerance of what is hidden by less than the shift alone
+  };
+  Found found_at(std::size_t pixel, const Sample& sample, int steps) const;
 
   Scene scene_;
   Tolerance tolerance_;

@@ -61,7 +61,7 @@ double SampleRange::distance(const Sample& sample) const {
 
 void Nearby::widen(NearbyRange& nearby, int x, int y) const {
   const int step = nearby.looked++;
-  if (!area_ && step == 16) return look_closely(nearby.range, x + 0.5, y + 0.5);
+  if (!area_ && step == 16) return look_closely(nearby, x + 0.5, y + 0.5);
   const double radius = step % 16 < 8 ? shift_ : shift_ / 2;
   const Vec2d at = moved(x, y, radius, kDirections[std::size_t(step % 8)] * kTurn / 8);
   look(nearby.range, at.u, at.v, step < 16 ? std::max(kCoarse, fine_) : fine_);
@@ -74,28 +74,51 @@ void Nearby::look(SampleRange& range, double x, double y, double error) const {
   range.add(mean.sample, mean.error);
 }
 
-void Nearby::look_closely(SampleRange& range, double x, double y) const {
+void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
   constexpr std::size_t kRings = 4, kRays = 16;
   std::array<std::array<Vec2d, kRays>, kRings> places;
   std::array<std::array<ExactFragment, kRays>, kRings> seen;
+  const auto look_along = [&](Vec2d at) {
+    const ExactFragment found = pixels_.at(at.u, at.v);
+    nearby.range.add(pixels_.sample(found.fragment), 0);
+    look_behind(nearby.behind, at, found);
+    return found;
+  };
+  look_along({x, y});
   for (std::size_t ring = 0; ring < kRings; ++ring) {
     for (std::size_t k = 0; k < kRays; ++k) {
-      const Vec2d at = moved(x, y, shift_ * double(ring + 1) / kRings, double(k) * kTurn / kRays);
-      places[ring][k] = at;
-      seen[ring][k] = pixels_.at(at.u, at.v);
-      range.add(pixels_.sample(seen[ring][k].fragment), 0);
+      places[ring][k] = moved(x, y, shift_ * double(ring + 1) / kRings, double(k) * kTurn / kRays);
+      seen[ring][k] = look_along(places[ring][k]);
     }
   }
   for (std::size_t ring = 0; ring < kRings; ++ring) {
     for (std::size_t k = 0; k < kRays; ++k) {
       const std::size_t next = (k + 1) % kRays;
       if (!continuous(seen[ring][k], seen[ring][next])) {
-        look_at_edge(range, places[ring][k], places[ring][next]);
+        look_at_edge(nearby.range, places[ring][k], places[ring][next]);
       }
       if (ring > 0 && !continuous(seen[ring][k], seen[ring - 1][k])) {
-        look_at_edge(range, places[ring][k], places[ring - 1][k]);
+        look_at_edge(nearby.range, places[ring][k], places[ring - 1][k]);
       }
     }
+  }
+}
+
+/// Through what is no deeper than the shift.
+void Nearby::look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const {
+  constexpr int kMost = 4;  // passages through the tube
+  constexpr double kBeyond = 1 + 1e-9;
+  ExactFragment in = seen;
+  for (int i = 0; i < kMost && in.fragment.covered(); ++i) {
+    const ExactFragment out = pixels_.at(at.u, at.v, in.fragment.depth * kBeyond);
+    if (!out.fragment.covered()) return;
+    const Vec3d through = out.fragment.position - in.fragment.position;
+    // Of an arc the height is a quarter of its chord times the sine at its ends.
+    const double depth = std::abs(dot(through, in.fragment.normal)) / 4;
+    if (depth > shift_ * pixels_.pixel_width() * in.fragment.depth) return;
+    range.add(pixels_.sample(out.fragment), 0);
+    in = pixels_.at(at.u, at.v, out.fragment.depth * kBeyond);
+    range.add(pixels_.sample(in.fragment), 0);
   }
 }
 

@@ -20,14 +20,19 @@ struct SampleRange {
 
 /// The range of one pixel, as far as it was looked at.
 struct NearbyRange {
-  SampleRange range;
-  int looked = 0;  ///< steps
+  SampleRange range;   ///< of what is seen
+  SampleRange behind;  ///< and of what is hidden by less than the shift
+  int looked = 0;      ///< steps
 };
 
 /// Looks at the truth about pixels, step by step: eight directions at the shift, eight at half of
 /// it; then, of point truth, at four distances in sixteen directions and on both sides of every
 /// edge between them; of area truth, the eight directions once more, closer to the truth. A range
 /// of some samples is narrower than the whole one: what lies in it is certainly near.
+///
+/// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
+/// where a ray of the last step passes through the tube no deeper than the shift, what it meets
+/// next counts as well; it is kept apart.
 class Nearby {
  public:
   /// Keeps `pixels` by reference. The means over pixels, with `area`, are known to `fine`.
@@ -43,7 +48,8 @@ class Nearby {
 
  private:
   void look(SampleRange& range, double x, double y, double coarse) const;
-  void look_closely(SampleRange& range, double x, double y) const;
+  void look_closely(NearbyRange& nearby, double x, double y) const;
+  void look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const;
   void look_at_edge(SampleRange& range, Vec2d seen, Vec2d other) const;
 
   const ExactPixels& pixels_;

@@ -17,13 +17,14 @@ Json judgement_json(const Judgement& j) {
           {"in_place", std::min(j.in_place, kMostError)},
           {"covered", j.covered},
           {"shifted", j.shifted},
+          {"hidden", j.hidden},
           {"failing", j.failing},
           {"met", j.met}};
 }
 
 Judgement judgement_from(const Json& json) {
-  return {json.at("error"),   json.at("in_place"), json.at("covered"),
-          json.at("shifted"), json.at("failing"),  json.at("met")};
+  return {json.at("error"),  json.at("in_place"), json.at("covered"), json.at("shifted"),
+          json.at("hidden"), json.at("failing"),  json.at("met")};
 }
 
 }  // namespace

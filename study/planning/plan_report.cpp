@@ -37,6 +37,7 @@ Json choice_json(const PlanChoice& c) {
               {"in_place", c.judgement.in_place},
               {"pixels", c.judgement.covered},
               {"beyond_in_place", c.judgement.shifted},
+              {"hidden", c.judgement.hidden},
               {"failing", c.judgement.failing}}},
             {"met", c.judgement.met}};
   if (c.milliseconds > 0) json["milliseconds"] = c.milliseconds;

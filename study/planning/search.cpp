@@ -25,7 +25,7 @@ class Rungs {
   bool meets(std::size_t rung) { return workshop_.judgement(at(rung)).met; }
 
   /// The coarsest that meets the tolerance, begun at `guess`. Errors need not fall from rung to
-  /// rung: those just below what is found are tried too.
+  /// rung: below what is found all are tried until two fail by far.
   std::optional<std::size_t> coarsest(std::size_t guess) {
     std::optional<std::size_t> good = first_from(guess);
     if (!good) return {};
@@ -39,13 +39,21 @@ class Rungs {
         low = long(middle);
       }
     }
-    for (std::size_t step = 2; step <= 3 && step <= high; ++step) {
-      if (meets(high - step)) return high - step;
-    }
-    return high;
+    return scan_below(high);
   }
 
  private:
+  std::size_t scan_below(std::size_t good) {
+    constexpr long long kFar = 16;  // pixels
+    int far = 0;
+    for (std::size_t rung = good; rung-- > 0 && far < 2;) {
+      const Judgement& judgement = workshop_.judgement(at(rung));
+      if (judgement.met) good = rung;
+      far = judgement.failing > kFar ? far + 1 : 0;
+    }
+    return good;
+  }
+
   /// One that meets it at `guess` or farther up, in growing steps.
   std::optional<std::size_t> first_from(std::size_t guess) {
     for (std::size_t step = 1, rung = guess;; rung += step, step *= 2) {
