@@ -198,16 +198,6 @@ ExactFragment ExactPixels::at(double x, double y, double beyond) const {
   return tube_.first({eye_, projection_.to_world(projection_.ray(x, y))}, beyond);
 }
 
-PixelTruth area_square(const ExactPixels& pixels, double x, double y, double tolerance) {
-  std::array<ExactFragment, 9> seen;
-  std::array<const ExactFragment*, 9> nodes;
-  for (std::size_t k = 0; k < 9; ++k) {
-    seen[k] = pixels.at(x + 0.5 * double(k % 3), y + 0.5 * double(k / 3));
-    nodes[k] = &seen[k];
-  }
-  return area_pixel(pixels, Patch(nodes), x, y, tolerance);
-}
-
 std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, double tolerance) {
   std::array<std::vector<ExactFragment>, 3> lines;  // at y, y + 1/2 and y + 1
   for (std::size_t j = 0; j < 3; ++j) {

@@ -55,16 +55,12 @@ struct PixelTruth {
   double error = 0;
 };
 
-/// The mean over a square of a pixel's size whose top left corner is (x, y), anywhere in the image
-/// plane, its estimated error at most `tolerance`.
+/// The means over the pixels (0, y) to (width - 1, y), their estimated errors at most `tolerance`.
 ///
 /// The square with the largest estimated error is quartered until the sum is within the tolerance.
 /// Rays go to a grid of half pixels and to one point beside it; where these show one smooth piece
 /// of the surface, samples are taken of the biquadratic surface through the grid's nine points, and
 /// elsewhere along rays of their own.
-PixelTruth area_square(const ExactPixels& pixels, double x, double y, double tolerance);
-
-/// area_square() at (0, y) to (width - 1, y): the means over a row of pixels.
 std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, double tolerance);
 
 }  // namespace lumaknot

@@ -36,7 +36,13 @@ SampleRange range_about(const Sample& sample, double error) {
 
 std::unique_ptr<NearbyRange> nearby_range(const Sample& sample, double error) {
   const SampleRange range = range_about(sample, error);
-  return std::make_unique<NearbyRange>(NearbyRange{range, range, 0});
+  return std::make_unique<NearbyRange>(
+      NearbyRange{.place = range, .quick = {}, .full = {}, .behind = {}});
+}
+
+template <class F>
+void each(std::span<const std::size_t> pixels, const F& work) {
+  oneapi::tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) { work(pixels[k]); });
 }
 
 /// The pixels in `order` by falling error.
@@ -54,7 +60,7 @@ Judge::Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
       tolerance_(tolerance),
       area_(scene_.view.image.samples > 1),
       pixels_(scene_, knot),
-      nearby_(pixels_, tolerance.shift, area_, mean_error(tolerance)),
+      nearby_(pixels_, tolerance.shift, area_),
       truth_(scene_.view.image.width, scene_.view.image.height),
       ranges_(truth_.pixels.size()) {
   fragments_ = exact_fragments(scene_, knot);
@@ -99,52 +105,54 @@ void Judge::take_means(const Progress& progress) {
   }
 }
 
-/// Looks about until the sample is within the tolerance, or so many steps are done.
-Judge::Found Judge::found_at(std::size_t pixel, const Sample& sample, int steps) const {
+double Judge::quick_error(std::size_t pixel, const Sample& sample) const {
   std::unique_ptr<NearbyRange>& nearby = ranges_[pixel];
   if (!nearby) nearby = nearby_range({}, 0);
-  double error = nearby->range.distance(sample);
-  const int x = int(pixel % std::size_t(truth_.width)), y = int(pixel / std::size_t(truth_.width));
-  while (!(error <= tolerance_.color) && nearby->looked < steps) {
-    nearby_.widen(*nearby, x, y);
-    error = nearby->range.distance(sample);
-  }
-  if (error <= tolerance_.color || steps < nearby_.all_steps()) return {error, false};
-  const double behind = nearby->behind.distance(sample);
-  return {std::min(error, behind), behind <= tolerance_.color};
+  const double in_place = nearby->place.distance(sample);
+  if (in_place <= tolerance_.color) return in_place;
+  const int width = truth_.width;
+  nearby_.look_quickly(*nearby, int(pixel) % width, int(pixel) / width);
+  return nearby->quick.distance(sample);
+}
+
+Judge::Found Judge::full_error(std::size_t pixel, const Sample& sample) const {
+  NearbyRange& nearby = *ranges_[pixel];
+  const int width = truth_.width;
+  nearby_.look_fully(nearby, int(pixel) % width, int(pixel) / width);
+  const double seen = nearby.full.distance(sample);
+  if (seen <= tolerance_.color) return {seen, false};
+  const double behind = nearby.behind.distance(sample);
+  return {behind, behind <= tolerance_.color};
 }
 
 PixelErrors Judge::examine(const Image& picture, bool all) const {
   PixelErrors result{{}, Grid<float>(picture.width, picture.height)};
   Judgement& judgement = result.judgement;
-  std::vector<std::size_t> far;
+  std::vector<std::size_t> far;  // in place
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     if (picture.pixels[i].coverage == 0 && truth_.pixels[i].coverage == 0) continue;
     ++judgement.covered;
     const double error =
         range_about(sample_of(truth_.pixels[i]), 0).distance(sample_of(picture.pixels[i]));
     judgement.in_place = std::max(judgement.in_place, error);
-    result.errors.pixels[i] = float(error);
     far.push_back(i);
+    if (!(error <= tolerance_.color)) ++judgement.shifted;
   }
   std::atomic<long long> hidden = 0;
-  const auto look = [&](std::span<const std::size_t> pixels, int steps) {
-    oneapi::tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) {
-      const std::size_t i = pixels[k];
-      const Found found = found_at(i, sample_of(picture.pixels[i]), steps);
-      result.errors.pixels[i] = float(found.error);
-      hidden += found.hidden;
-    });
-  };
+  each(far, [&](std::size_t i) {
+    result.errors.pixels[i] = float(quick_error(i, sample_of(picture.pixels[i])));
+  });
   const auto beyond = [&](std::size_t i) { return !(result.errors.pixels[i] <= tolerance_.color); };
-  judgement.shifted = std::ranges::count_if(far, beyond);
-  look(far, nearby_.quick_steps());
   std::erase_if(far, [&](std::size_t i) { return !beyond(i); });
   far = worst_first(std::move(far), result.errors);
   constexpr std::size_t kChunk = 256;
   for (std::size_t begin = 0; begin < far.size(); begin += kChunk) {
     const auto chunk = std::span(far).subspan(begin, std::min(kChunk, far.size() - begin));
-    look(chunk, nearby_.all_steps());
+    each(chunk, [&](std::size_t i) {
+      const Found found = full_error(i, sample_of(picture.pixels[i]));
+      result.errors.pixels[i] = float(found.error);
+      hidden += found.hidden;
+    });
     judgement.failing += std::ranges::count_if(chunk, beyond);
     if (!all && judgement.failing > 0) break;
   }

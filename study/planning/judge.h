@@ -14,7 +14,9 @@ namespace lumaknot {
 /// How a picture stands to the truth. Errors are of the largest channel, coverage among them, of
 /// every pixel that the picture or the truth covers, unrounded, colours limited to [0, 1].
 struct Judgement {
-  double error = 0;       ///< the largest, from the truth's range within the shift
+  /// The largest: in place where that is within the tolerance, else from what a quick look about
+  /// the pixel finds, else from what a full one does.
+  double error = 0;
   double in_place = 0;    ///< the largest, from the truth at the very pixel
   long long covered = 0;  ///< pixels that the picture or the truth covers
   long long shifted = 0;  ///< those beyond the tolerance in place
@@ -56,11 +58,12 @@ class Judge {
   PixelErrors examine(const Image& picture, bool all) const;
   void take_centres();
   void take_means(const Progress& progress);
+  double quick_error(std::size_t pixel, const Sample& sample) const;
   struct Found {
     double error = 0;
     bool hidden = false;  ///< within the tolerance of what is hidden by less than the shift alone
   };
-  Found found_at(std::size_t pixel, const Sample& sample, int steps) const;
+  Found full_error(std::size_t pixel, const Sample& sample) const;
 
   Scene scene_;
   Tolerance tolerance_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "shaders/number.h"
 
@@ -12,10 +13,6 @@ namespace lumaknot {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kCoarse = 1.0 / 64;  // of means that are looked at first
-
-/// Opposite directions follow each other: two of them hold most pixels at an edge.
-constexpr std::array<int, 8> kDirections{0, 4, 2, 6, 1, 5, 3, 7};
 
 std::array<double, 4> channels(const Sample& s) {
   return {s.color.x, s.color.y, s.color.z, s.coverage};
@@ -59,19 +56,70 @@ double SampleRange::distance(const Sample& sample) const {
   return worst;
 }
 
-void Nearby::widen(NearbyRange& nearby, int x, int y) const {
-  const int step = nearby.looked++;
-  if (!area_ && step == 16) return look_closely(nearby, x + 0.5, y + 0.5);
-  const double radius = step % 16 < 8 ? shift_ : shift_ / 2;
-  const Vec2d at = moved(x, y, radius, kDirections[std::size_t(step % 8)] * kTurn / 8);
-  look(nearby.range, at.u, at.v, step < 16 ? std::max(kCoarse, fine_) : fine_);
+void Nearby::look_quickly(NearbyRange& nearby, int x, int y) const {
+  if (nearby.has_quick) return;
+  nearby.has_quick = true;
+  nearby.quick = nearby.place;
+  if (shift_ == 0) return;
+  if (area_) return look_at_cells(nearby.quick, x, y, 16);
+  look_around(nearby.quick, x + 0.5, y + 0.5);
 }
 
-/// At the pixel whose top left corner is (x, y).
-void Nearby::look(SampleRange& range, double x, double y, double error) const {
-  if (!area_) return range.add(pixels_.sample(pixels_.at(x + 0.5, y + 0.5).fragment), 0);
-  const PixelTruth mean = area_square(pixels_, x, y, error);
-  range.add(mean.sample, mean.error);
+void Nearby::look_fully(NearbyRange& nearby, int x, int y) const {
+  if (nearby.has_full) return;
+  look_quickly(nearby, x, y);
+  nearby.has_full = true;
+  nearby.full = nearby.behind = nearby.quick;
+  if (shift_ == 0) return;
+  if (area_) {
+    look_at_cells(nearby.full, x, y, 32);
+    nearby.behind = nearby.full;
+  } else {
+    look_closely(nearby, x + 0.5, y + 0.5);
+  }
+}
+
+void Nearby::look_around(SampleRange& range, double x, double y) const {
+  for (int k = 0; k < 16; ++k) {
+    const Vec2d at = moved(x, y, k < 8 ? shift_ : shift_ / 2, k * kTurn / 8);
+    range.add(pixels_.sample(pixels_.at(at.u, at.v).fragment), 0);
+  }
+}
+
+void Nearby::look_at_cells(SampleRange& range, int x, int y, int cells) const {
+  const double side = 1.0 / cells, reach = shift_ - side * std::numbers::sqrt2 / 2;
+  if (reach < 0) return;
+  const int border = int(reach / side), width = cells + 2 * border;
+  std::vector<std::array<double, 4>> seen;  // cell by cell, those of the border too
+  for (int k = 0; k < width * width; ++k) {
+    const double u = x + side * (k % width - border + 0.5),
+                 v = y + side * (k / width - border + 0.5);
+    seen.push_back(channels(pixels_.sample(pixels_.at(u, v).fragment)));
+  }
+  std::vector<int> near;  // steps from a cell to those within reach
+  for (int v = -border; v <= border; ++v) {
+    for (int u = -border; u <= border; ++u) {
+      if (std::hypot(u, v) * side <= reach) near.push_back(v * width + u);
+    }
+  }
+  std::array<double, 4> low{}, high{};
+  for (int k = 0; k < cells * cells; ++k) {
+    const int own = (k / cells + border) * width + k % cells + border;
+    std::array<double, 4> least = seen[std::size_t(own)], most = least;
+    for (const int step : near) {
+      const std::array<double, 4>& other = seen[std::size_t(own + step)];
+      for (std::size_t c = 0; c < 4; ++c) {
+        least[c] = std::min(least[c], other[c]);
+        most[c] = std::max(most[c], other[c]);
+      }
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      low[c] += least[c] * side * side;
+      high[c] += most[c] * side * side;
+    }
+  }
+  range.add(from_channels(low), 0);
+  range.add(from_channels(high), 0);
 }
 
 void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
@@ -80,7 +128,7 @@ void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
   std::array<std::array<ExactFragment, kRays>, kRings> seen;
   const auto look_along = [&](Vec2d at) {
     const ExactFragment found = pixels_.at(at.u, at.v);
-    nearby.range.add(pixels_.sample(found.fragment), 0);
+    nearby.full.add(pixels_.sample(found.fragment), 0);
     look_behind(nearby.behind, at, found);
     return found;
   };
@@ -95,10 +143,10 @@ void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
     for (std::size_t k = 0; k < kRays; ++k) {
       const std::size_t next = (k + 1) % kRays;
       if (!continuous(seen[ring][k], seen[ring][next])) {
-        look_at_edge(nearby.range, places[ring][k], places[ring][next]);
+        look_at_edge(nearby.full, places[ring][k], places[ring][next]);
       }
       if (ring > 0 && !continuous(seen[ring][k], seen[ring - 1][k])) {
-        look_at_edge(nearby.range, places[ring][k], places[ring - 1][k]);
+        look_at_edge(nearby.full, places[ring][k], places[ring - 1][k]);
       }
     }
   }

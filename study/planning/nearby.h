@@ -18,36 +18,37 @@ struct SampleRange {
   double distance(const Sample& sample) const;
 };
 
-/// The range of one pixel, as far as it was looked at.
+/// What one pixel may show, as far as it was looked at. Each holds the one before.
 struct NearbyRange {
-  SampleRange range;   ///< of what is seen
+  SampleRange place;   ///< of the very place
+  SampleRange quick;   ///< of a few rays or cells
+  SampleRange full;    ///< of many
   SampleRange behind;  ///< and of what is hidden by less than the shift
-  int looked = 0;      ///< steps
+  bool has_quick = false, has_full = false;
 };
 
-/// Looks at the truth about pixels, step by step: eight directions at the shift, eight at half of
-/// it; then, of point truth, at four distances in sixteen directions and on both sides of every
-/// edge between them; of area truth, the eight directions once more, closer to the truth. A range
-/// of some samples is narrower than the whole one: what lies in it is certainly near.
+/// Looks at the truth about pixels: first quickly, then fully. Of point truth: eight directions at
+/// the shift, eight at half of it; then at four distances in sixteen directions and on both sides
+/// of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each with
+/// the rays to cells so near that they are within the shift of all its points; the means of the
+/// cells' least and most. All see less than there is: what lies in the range is certainly near.
 ///
 /// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
-/// where a ray of the last step passes through the tube no deeper than the shift, what it meets
+/// where a ray of the full look passes through the tube no deeper than the shift, what it meets
 /// next counts as well; it is kept apart.
 class Nearby {
  public:
-  /// Keeps `pixels` by reference. The means over pixels, with `area`, are known to `fine`.
-  Nearby(const ExactPixels& pixels, double shift, bool area, double fine)
-      : pixels_(pixels), shift_(shift), area_(area), fine_(fine) {}
+  /// Keeps `pixels` by reference.
+  Nearby(const ExactPixels& pixels, double shift, bool area)
+      : pixels_(pixels), shift_(shift), area_(area) {}
 
-  /// Steps that are cheap, and with those that are not.
-  int quick_steps() const { return shift_ > 0 ? 16 : 0; }
-  int all_steps() const { return shift_ > 0 ? (area_ ? 32 : 17) : 0; }
-
-  /// The next step about the pixel (x, y).
-  void widen(NearbyRange& nearby, int x, int y) const;
+  /// Fills `quick`, or `full` and `behind`, of the pixel (x, y), unless they are there.
+  void look_quickly(NearbyRange& nearby, int x, int y) const;
+  void look_fully(NearbyRange& nearby, int x, int y) const;
 
  private:
-  void look(SampleRange& range, double x, double y, double coarse) const;
+  void look_at_cells(SampleRange& range, int x, int y, int cells) const;
+  void look_around(SampleRange& range, double x, double y) const;
   void look_closely(NearbyRange& nearby, double x, double y) const;
   void look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const;
   void look_at_edge(SampleRange& range, Vec2d seen, Vec2d other) const;
@@ -55,7 +56,6 @@ class Nearby {
   const ExactPixels& pixels_;
   double shift_;
   bool area_;
-  double fine_;
 };
 
 }  // namespace lumaknot

@@ -36,6 +36,7 @@ class Notebook {
 
   /// The rounds timed so far.
   const std::vector<FrameRound>& rounds(const std::string& name) { return rounds_[name]; }
+  const std::map<std::string, std::vector<FrameRound>>& all_rounds() const { return rounds_; }
   void add(const std::string& name, const FrameRound& round);
 
   void save();

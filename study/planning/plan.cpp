@@ -116,9 +116,9 @@ class Planning {
     }
     const Method chosen = found ? *found : closest_method(choices, notebook);
     if (!found) workshop.time(std::span(&chosen, 1), job_.rounds);
-    workshop.time_before(job_.rounds);
+    workshop.time_reference(job_.rounds);
     plan_.reference_milliseconds = workshop.milliseconds(Workshop::kReference);
-    plan_.fast_milliseconds = workshop.milliseconds(Workshop::kFast);
+    plan_.fast_milliseconds = workshop.milliseconds_beside();
     plan_.chosen = choice_of(chosen, predictor, workshop);
     for (const GridSize& grid : choices.ladder) {
       for (const Method& way : choices.ways) {

@@ -80,6 +80,9 @@ Predictor::Predictor(const Lean& lean, const KnotSpec& knot, std::span<const Fra
       ambient_(lean.view.ambient * largest(lean.view.ambient_color)),
       emissive_(largest(material_.emissive)),
       texture_(texture_bounds(lean.texture)) {
+  if (const auto* image = std::get_if<TextureImage>(&lean.texture)) {
+    texels_ = {double(image->width) * knot.repeat_u, double(image->height) * knot.repeat_v};
+  }
   const Projection projection(lean.view.camera, lean.view.image.width, lean.view.image.height);
   const double depth = nearest_depth(seen);
   pixel_ = projection.pixel_width() * depth;
@@ -144,7 +147,10 @@ PredictedError Predictor::of(const Method& m) const {
   const double own = m.number == Number::kFloat ? kRounding : kRounding * kRounding;
   const double light = 1 + emissive_ + ambient_ +
                        (lights_ ? lights_->diffuse + lights_->specular * material_.shininess : 0);
-  error.precision = own * kRoundings * light;
+  // Texture coordinates are rounded too: by parts of a texel, each of which is a part of the
+  // contrast.
+  const double texels = texture_.contrast * std::max(texels_.u, texels_.v);
+  error.precision = own * (kRoundings + 4 * texels) * light;
   return error;
 }
 

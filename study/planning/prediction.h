@@ -61,6 +61,7 @@ class Predictor {
   std::optional<LightBounds> lights_;
   double ambient_ = 0, emissive_ = 0;
   TextureBounds texture_;
+  Vec2d texels_{0, 0};  ///< along and around the tube
 };
 
 }  // namespace lumaknot

@@ -160,12 +160,17 @@ std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor
 
 std::optional<Method> fastest_of_all(const Choices& choices, const std::optional<Method>& chosen,
                                      Workshop& workshop, int rounds, const Progress& progress) {
+  // More triangles take longer, whatever the way.
+  const auto hopeless = [&](const Method& way) {
+    const double least = workshop.ratio(with_grid(way, choices.ladder.front()));
+    return chosen && least > 2 * workshop.ratio(*chosen);
+  };
   std::vector<Method> meeting;
   double done = 0;
   for (const GridSize& grid : choices.ladder) {
     for (const Method& way : choices.ways) {
       const Method method = with_grid(way, grid);
-      if (workshop.judgement(method).met) meeting.push_back(method);
+      if (workshop.judgement(method).met && !hopeless(way)) meeting.push_back(method);
     }
     report(progress, 0.6 * ++done / double(choices.ladder.size()));
   }

@@ -16,8 +16,8 @@ namespace lumaknot {
 std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
                                          Workshop& workshop, int rounds, const Progress& progress);
 
-/// The same by measuring every grid of every way, and timing all that meet the tolerance: `chosen`
-/// too, in the same rounds.
+/// The same by measuring every grid of every way, and timing all that meet the tolerance but ways
+/// whose coarsest grid takes twice as long as `chosen`; that too, in the same rounds.
 std::optional<Method> fastest_of_all(const Choices& choices, const std::optional<Method>& chosen,
                                      Workshop& workshop, int rounds, const Progress& progress);
 

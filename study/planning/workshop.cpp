@@ -97,19 +97,22 @@ double Workshop::ratio(const std::string& name) {
   return ratios.empty() ? std::numeric_limits<double>::infinity() : median(std::move(ratios));
 }
 
-double Workshop::milliseconds(const std::string& name) {
+double Workshop::milliseconds_beside() const {
   std::vector<double> times;
-  for (const FrameRound& round : notebook_.rounds(kFast)) times.push_back(round.milliseconds);
-  return times.empty() ? 0 : ratio(name) * median(std::move(times));
+  for (const auto& [name, rounds] : notebook_.all_rounds()) {
+    for (const FrameRound& round : rounds) times.push_back(round.milliseconds / round.ratio);
+  }
+  return times.empty() ? 0 : median(std::move(times));
 }
 
-void Workshop::time_before(int rounds) {
+double Workshop::milliseconds(const std::string& name) {
+  return ratio(name) * milliseconds_beside();
+}
+
+void Workshop::time_reference(int rounds) {
   oneapi::tbb::task_arena arena(kTimedThreads);
-  FastRenderer fast = as_it_is(scene_);
-  Grid<Rgba8> image;
-  for (int i = 0; i < rounds; ++i) {
-    if (notebook_.rounds(kFast).size() <= std::size_t(i)) round(kFast, [&] { fast.draw(image); });
-    if (notebook_.rounds(kReference).size() > std::min(std::size_t(i), kSlowRounds - 1)) continue;
+  const std::size_t enough = std::min(std::size_t(rounds), kSlowRounds);
+  while (notebook_.rounds(kReference).size() < enough) {
     round(kReference, [&] { arena.execute([&] { render(scene_); }); });
   }
 }

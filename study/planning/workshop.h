@@ -37,9 +37,12 @@ class Workshop {
   /// Milliseconds a frame: the ratio times what the frames beside take.
   double milliseconds(const std::string& name);
 
-  /// What the scene takes as it is drawn before: the reference in double, and --fast.
-  void time_before(int rounds);
-  static constexpr const char *kReference = "before: reference", *kFast = "before: --fast";
+  /// Times the scene as it is drawn before, by the reference in double.
+  void time_reference(int rounds);
+  static constexpr const char* kReference = "before: reference";
+
+  /// Milliseconds of the frames beside: the scene as --fast draws it.
+  double milliseconds_beside() const;
 
  private:
   void round(const std::string& name, const DrawFrame& frame);
