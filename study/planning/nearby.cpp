@@ -123,7 +123,7 @@ void Nearby::look_at_cells(SampleRange& range, int x, int y, int cells) const {
 }
 
 void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
-  constexpr std::size_t kRings = 4, kRays = 16;
+  constexpr std::size_t kRings = 8, kRays = 32;
   std::array<std::array<Vec2d, kRays>, kRings> places;
   std::array<std::array<ExactFragment, kRays>, kRings> seen;
   const auto look_along = [&](Vec2d at) {

@@ -28,10 +28,10 @@ struct NearbyRange {
 };
 
 /// Looks at the truth about pixels: first quickly, then fully. Of point truth: eight directions at
-/// the shift, eight at half of it; then at four distances in sixteen directions and on both sides
-/// of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each with
-/// the rays to cells so near that they are within the shift of all its points; the means of the
-/// cells' least and most. All see less than there is: what lies in the range is certainly near.
+/// the shift, eight at half of it; then at eight distances in thirty-two directions and on both
+/// sides of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each
+/// with the rays to cells so near that they are within the shift of all its points; the means of
+/// the cells' least and most. All see less than there is: what lies in the range is certainly near.
 ///
 /// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
 /// where a ray of the full look passes through the tube no deeper than the shift, what it meets

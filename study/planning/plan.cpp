@@ -40,13 +40,12 @@ std::vector<Fragment> covered(const Grid<ExactFragment>& fragments) {
   return seen;
 }
 
-/// The errors as a grey picture for the eye.
-Image error_picture(const Grid<float>& errors) {
-  constexpr float kTimes = 16;
+/// The errors as a picture for the eye: white is the tolerance, red beyond it.
+Image error_picture(const Grid<float>& errors, double tolerance) {
   Image image(errors.width, errors.height);
-  std::ranges::transform(errors.pixels, image.pixels.begin(), [](float e) {
-    const float grey = std::min(1.0f, kTimes * e);
-    return RgbaPixel{{grey, grey, grey}, 1};
+  std::ranges::transform(errors.pixels, image.pixels.begin(), [&](float e) {
+    const float grey = float(e / tolerance);
+    return e <= tolerance ? RgbaPixel{{grey, grey, grey}, 1} : RgbaPixel{{1, 0, 0}, 1};
   });
   return image;
 }
@@ -146,7 +145,7 @@ class Planning {
     plan_.after = workshop.draw(method);
     PixelErrors errors = judge.judge_all(plan_.after);
     plan_.chosen.judgement = errors.judgement;
-    plan_.errors = error_picture(errors.errors);
+    plan_.errors = error_picture(errors.errors, job_.tolerance.color);
     plan_.before = render(job_.scene);
     plan_.lean = lean_spec(method);
   }

@@ -45,7 +45,7 @@ struct Plan {
   double reference_milliseconds = 0, fast_milliseconds = 0;  ///< before, one thread
   std::optional<PlanChoice> best_of_all;                     ///< of the exhaustive search
   double time_to_best = 0;      ///< the chosen time over that of best_of_all, the same rounds
-  Image before, after, errors;  ///< the reference, the plan's picture, its errors x 16 (grey)
+  Image before, after, errors;  ///< the reference, the plan's picture, its errors
 };
 
 /// Throws Error for a tolerance that no picture can be held to, a mesh file, and a knot without an

@@ -122,7 +122,8 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   Data pictures(Data::type::list);
   pictures.push_back(picture_row("before: the reference", plan.before));
   pictures.push_back(picture_row("after: as planned", plan.after));
-  pictures.push_back(picture_row("error beyond the range within the shift, x 16", plan.errors));
+  pictures.push_back(
+      picture_row("error after the shift: white is the tolerance, red beyond it", plan.errors));
   page.set("pictures", pictures);
   mustache::mustache layout{std::string(embedded::plan_template())};
   return layout.render(page);

@@ -145,12 +145,12 @@ PredictedError Predictor::of(const Method& m) const {
   error.filter = filter(m);
   constexpr double kRoundings = 32;  // from the vertices to the colour
   const double own = m.number == Number::kFloat ? kRounding : kRounding * kRounding;
-  const double light = 1 + emissive_ + ambient_ +
-                       (lights_ ? lights_->diffuse + lights_->specular * material_.shininess : 0);
-  // Texture coordinates are rounded too: by parts of a texel, each of which is a part of the
-  // contrast.
-  const double texels = texture_.contrast * std::max(texels_.u, texels_.v);
-  error.precision = own * (kRoundings + 4 * texels) * light;
+  const double diffuse = ambient_ + (lights_ ? lights_->diffuse : 0);
+  const double light =
+      1 + emissive_ + diffuse + (lights_ ? lights_->specular * material_.shininess : 0);
+  // Texture coordinates are rounded too, each part of a texel being a part of the contrast.
+  const double texels = texture_.contrast * std::max(texels_.u, texels_.v) * (1 + diffuse);
+  error.precision = own * (kRoundings * light + 4 * texels);
   return error;
 }
 
