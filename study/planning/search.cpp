@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kClearly = 1.05;    // slower by this share is slower
 constexpr double kContender = 1.15;  // within this of the best, a time is measured better
+constexpr int kFirst = 2;            // rounds of all
 constexpr int kBetter = 3;           // times the rounds
 constexpr std::size_t kNeighbours = 2;
 
@@ -91,15 +92,15 @@ std::vector<Method> contenders(std::span<const Method> methods, double share, Wo
   const std::optional<Method> best = fastest(methods, workshop);
   std::vector<Method> near;
   for (const Method& m : methods) {
-    if (workshop.ratio(m) <= share * workshop.ratio(*best)) near.push_back(m);
+    if (workshop.least_ratio(m) <= share * workshop.ratio(*best)) near.push_back(m);
   }
   return near;
 }
 
-/// Every method once, the contenders more often, the closest of them more often still.
+/// Every method a little, the contenders more often, the closest of them more often still.
 void time_well(std::span<const Method> methods, Workshop& workshop, int rounds) {
   if (methods.empty()) return;
-  workshop.time(methods, 1);
+  workshop.time(methods, kFirst);
   workshop.time(contenders(methods, 1.5, workshop), rounds);
   workshop.time(contenders(methods, kContender, workshop), kBetter * rounds);
 }
@@ -128,8 +129,8 @@ std::size_t guessed_rung(const Method& way, std::span<const GridSize> ladder,
 std::vector<Method> ways_by_time(const Choices& choices, Workshop& workshop) {
   std::vector<Method> coarse;
   for (const Method& way : choices.ways) coarse.push_back(with_grid(way, choices.ladder.front()));
-  workshop.time(coarse, 1);
-  std::ranges::stable_sort(coarse, {}, [&](const Method& m) { return workshop.ratio(m); });
+  workshop.time(coarse, kFirst);
+  std::ranges::stable_sort(coarse, {}, [&](const Method& m) { return workshop.least_ratio(m); });
   return coarse;
 }
 
@@ -143,7 +144,7 @@ std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor
   for (const Method& way : coarse) {
     report(progress, 0.8 * done++ / double(coarse.size()));
     const std::optional<Method> best = fastest(finalists, workshop);
-    if (best && workshop.ratio(way) > kClearly * workshop.ratio(*best)) continue;
+    if (best && workshop.least_ratio(way) > kClearly * workshop.ratio(*best)) continue;
     Rungs rungs(way, choices.ladder, workshop);
     const auto found = rungs.coarsest(guessed_rung(way, choices.ladder, predictor));
     if (!found) continue;
@@ -151,7 +152,7 @@ std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor
     for (std::size_t rung = *found; rung <= last; ++rung) {
       if (rungs.meets(rung)) finalists.push_back(rungs.at(rung));
     }
-    workshop.time(finalists, 1);
+    workshop.time(finalists, kFirst);
   }
   time_well(finalists, workshop, rounds);
   report(progress, 1);
@@ -162,7 +163,7 @@ std::optional<Method> fastest_of_all(const Choices& choices, const std::optional
                                      Workshop& workshop, int rounds, const Progress& progress) {
   // More triangles take longer, whatever the way.
   const auto hopeless = [&](const Method& way) {
-    const double least = workshop.ratio(with_grid(way, choices.ladder.front()));
+    const double least = workshop.least_ratio(with_grid(way, choices.ladder.front()));
     return chosen && least > 2 * workshop.ratio(*chosen);
   };
   std::vector<Method> meeting;

@@ -97,6 +97,14 @@ double Workshop::ratio(const std::string& name) {
   return ratios.empty() ? std::numeric_limits<double>::infinity() : median(std::move(ratios));
 }
 
+double Workshop::least_ratio(const Method& method) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FrameRound& round : notebook_.rounds(method_name(method))) {
+    least = std::min(least, round.ratio);
+  }
+  return least;
+}
+
 double Workshop::milliseconds_beside() const {
   std::vector<double> times;
   for (const auto& [name, rounds] : notebook_.all_rounds()) {

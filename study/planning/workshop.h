@@ -34,6 +34,9 @@ class Workshop {
   double ratio(const Method& method) { return ratio(method_name(method)); }
   double ratio(const std::string& name);
 
+  /// The least of them: a disturbed round makes no method slow.
+  double least_ratio(const Method& method);
+
   /// Milliseconds a frame: the ratio times what the frames beside take.
   double milliseconds(const std::string& name);
 
