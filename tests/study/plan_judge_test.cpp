@@ -54,7 +54,7 @@ TEST(Judge, a_picture_moved_within_the_shift_is_met_and_beyond_it_is_not) {
   const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
   EXPECT_TRUE(judge.judge(moved_truth(spec, 0.24)).met);
   EXPECT_GT(judge.judge(moved_truth(spec, 0.24)).shifted, 0);
-  EXPECT_FALSE(judge.judge(moved_truth(spec, 0.3)).met);
+  EXPECT_FALSE(judge.judge(moved_truth(spec, 0.5)).met);
 }
 
 TEST(Judge, without_a_shift_no_moved_edge_is_met) {
