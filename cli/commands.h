@@ -26,11 +26,13 @@ void add_chart_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
 void add_budget_command(CLI::App& program);
 void add_paper_command(CLI::App& program);
+void add_plan_command(CLI::App& program, int& exit_code);
 void add_doctor_command(CLI::App& program);
 void add_completion_command(CLI::App& program);
 
 /// The program: parses `argv`, runs one command, tells every error in one line. Returns the exit
-/// code: 0 done or agreed, 1 renderers differ, 2 wrong use or input, 3 nothing to compare with.
+/// code: 0 done or agreed, 1 renderers differ or a tolerance
+/// can't be met, 2 wrong use or input, 3 nothing to compare with.
 int run_program(int argc, char** argv);
 
 }  // namespace lumaknot

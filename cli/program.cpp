@@ -43,6 +43,7 @@ int run_program(int argc, char** argv) {
   add_stability_command(program);
   add_budget_command(program);
   add_paper_command(program);
+  add_plan_command(program, exit_code);
   add_doctor_command(program);
   add_completion_command(program);
   try {

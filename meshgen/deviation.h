@@ -36,11 +36,17 @@ Deviation measured_deviation(const TubeSurface& surface, int segments, int sides
 /// The chord alone, in some three quarters of the time.
 double measured_chord(const TubeSurface& surface, int segments, int sides);
 
+/// Bounds of what Deviation tells, and of the distance between a triangle's point and the tube's
+/// point at the same (t, theta): how far the surface, its texture included, is out of place.
+struct DeviationBound : Deviation {
+  double offset = 0;  ///< scene units, at least `chord`
+};
+
 /// An upper bound of measured_deviation() from the derivatives alone, without the triangles, after
 /// Filip, Magedson, Markot: Surface algorithms using bounds on derivatives, 1986. It holds of tubes
 /// that do not touch themselves. Over fifty (p,q) at 768 x 40 the chord's bound is at most 1.4
 /// times what is measured, the angle's 2.7 times; both come down to it as the steps do. Steps of a
 /// radian make it useless: the chord's is then the extent, and the angle's 180 degrees.
-Deviation deviation_bound(const TubeSurface& surface, int segments, int sides);
+DeviationBound deviation_bound(const TubeSurface& surface, int segments, int sides);
 
 }  // namespace lumaknot

@@ -107,7 +107,11 @@ struct Tube {
 /// |d - r| at a point E off the tube's point X is at most |E|, and to first order E's part along
 /// the normal n there: at most |E . n| + |E|^2 / 2 times a bound of d's second derivative. n turns
 /// by no more than `tilt` in the cell.
-double chord_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, double tilt) {
+struct PlaceBound {
+  double offset = 0, chord = 0;  ///< |E| and its effect on the distance
+};
+
+PlaceBound place_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, double tilt) {
   const double r = tube.radius, w = tube.turn, s = b.speed, bend = s * s * b.curvature;
   const double swell = 1 + r * b.curvature;
   const double inward = bend * swell + r * w * w * s * s;  // X_tt . n
@@ -121,8 +125,9 @@ double chord_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, dou
       cell.interpolation_error({std::min(whole, inward + tilt * whole),
                                 std::min(mixed, r * s * (w + tilt * b.curvature)), r});
   const double focus = 1 - b.curvature * (r + off);
-  if (off >= r || focus <= 0) return off;
-  return std::min(off, normal + off * off / 2 * std::max(1 / (r - off), b.curvature / focus));
+  if (off >= r || focus <= 0) return {off, off};
+  return {off,
+          std::min(off, normal + off * off / 2 * std::max(1 / (r - off), b.curvature / focus))};
 }
 
 /// The angle between N and N + E is at most atan(E's part across N / (1 - |E|)).
@@ -143,13 +148,13 @@ double normal_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, do
 
 }  // namespace
 
-Deviation deviation_bound(const TubeSurface& surface, int segments, int sides) {
+DeviationBound deviation_bound(const TubeSurface& surface, int segments, int sides) {
   constexpr int kPieces = 8;  // of a segment, for narrower intervals
   const Spine& spine = surface.spine();
   const Tube tube{std::abs(spine.holonomy()) / spine.length(), surface.tube_radius()};
   const Cell cell{2 * kPi / segments, 2 * kPi / sides};
   const GlobalBounds global = global_bounds(spine.curve());
-  Deviation worst;
+  DeviationBound worst;
   for (int i = 0; i < segments; ++i) {
     SpineBounds bounds;
     for (int piece = 0; piece < kPieces; ++piece) {
@@ -157,13 +162,17 @@ Deviation deviation_bound(const TubeSurface& surface, int segments, int sides) {
       bounds = larger(bounds, spine_bounds(spine.curve(), global, middle, cell.h / kPieces / 2));
     }
     const double tilt = cell.h * bounds.speed * std::hypot(bounds.curvature, tube.turn) + cell.k;
-    worst.chord = std::max(worst.chord, chord_bound(bounds, tube, cell, tilt));
+    const PlaceBound place = place_bound(bounds, tube, cell, tilt);
+    worst.chord = std::max(worst.chord, place.chord);
+    worst.offset = std::max(worst.offset, place.offset);
     const double angle = normal_bound(bounds, tube, cell, tilt) * 180 / kPi;
     worst.normal_degrees = std::max(worst.normal_degrees, angle);
   }
   // A triangle's points and the centre line lie in balls about the origin, whatever the steps.
   const double reach = spine.curve().ring_radius + spine.curve().winding_radius;
-  worst.chord = std::min(worst.chord, std::max(2 * reach, tube.radius));
+  const double extent = std::max(2 * reach, tube.radius);
+  worst.chord = std::min(worst.chord, extent);
+  worst.offset = std::min(worst.offset, 2 * (reach + tube.radius));
   return worst;
 }
 

@@ -194,8 +194,8 @@ ExactPixels::ExactPixels(const Scene& scene, const KnotSpec& knot)
       shot_{"final", Stage::kFinal, exact_material(scene.view.material)},
       shading_(scene, shot_) {}
 
-ExactFragment ExactPixels::at(double x, double y) const {
-  return tube_.first({eye_, projection_.to_world(projection_.ray(x, y))}, near_);
+ExactFragment ExactPixels::at(double x, double y, double beyond) const {
+  return tube_.first({eye_, projection_.to_world(projection_.ray(x, y))}, beyond);
 }
 
 std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, double tolerance) {

@@ -28,7 +28,13 @@ class ExactPixels {
   ExactPixels(const Scene& scene, const KnotSpec& knot);
 
   /// What the image point (x, y) sees, in pixels from the top left.
-  ExactFragment at(double x, double y) const;
+  ExactFragment at(double x, double y) const { return at(x, y, near_); }
+
+  /// What it would see if nothing were nearer than the depth `beyond`.
+  ExactFragment at(double x, double y, double beyond) const;
+
+  /// The width of a pixel at depth one.
+  double pixel_width() const { return projection_.pixel_width(); }
 
   Sample sample(const Fragment& seen) const {
     return {shading_.color(seen), seen.covered() ? 1.0 : 0.0};

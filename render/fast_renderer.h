@@ -16,6 +16,9 @@ struct Rgba8 {
   friend constexpr bool operator==(const Rgba8&, const Rgba8&) = default;
 };
 
+/// Image points are snapped to this part of a pixel, so that edges are exact in whole numbers.
+inline constexpr int kSubpixels = 1024;
+
 /// The instructions that packets are drawn with: what every processor of the kind has (on x86-64
 /// SSE2), or more.
 enum class SimdLevel { kBaseline, kAvx2, kAvx512 };

@@ -18,8 +18,6 @@
 
 namespace lumaknot {
 
-/// Image points are snapped to this part of a pixel, so that edges are exact in whole numbers.
-constexpr int kSubpixels = 1024;
 /// Tiles are square; what a thread writes of one stays in its second-level cache.
 constexpr int kTile = 64;
 /// Farther from the image's corner, in pixels, no image point lies; so differences of snapped

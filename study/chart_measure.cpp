@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 #include "exporters/image_file.h"
@@ -13,6 +12,7 @@
 #include "study/chart.h"
 #include "study/chart_keys.h"
 #include "study/chart_others.h"
+#include "study/frame_time.h"
 #include "validate/process.h"
 
 namespace lumaknot {
@@ -21,20 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFlag = "--output";
-constexpr double kSlow = 100;  // milliseconds: frames so slow are few, and far from any other
-constexpr std::size_t kSlowRounds = 3;
-constexpr int kSettling = 4;     // times the rounds, at most
-constexpr int kFrames = 3;       // of each round
-constexpr int kThreads = 1;      // of timed frames: of several, some may share a core
-constexpr int kMeshSamples = 8;  // a side, of the area truth of a mesh file
+constexpr std::size_t kSlowRounds = 3;  // frames so slow are few, and far from any other
+constexpr int kSettling = 4;            // times the rounds, at most
+constexpr int kMeshSamples = 8;         // a side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
-
-double milliseconds_of(MethodRenderer& renderer) {
-  using Clock = std::chrono::steady_clock;
-  const auto before = Clock::now();
-  renderer.draw();
-  return std::chrono::duration<double, std::milli>(Clock::now() - before).count();
-}
 
 /// A chart being measured in its folder.
 class Measuring {
@@ -243,7 +233,7 @@ class Measuring {
   }
 
   void measure_times() {
-    MethodRenderer beside(baseline(), scene_of(baseline()), kThreads);
+    MethodRenderer beside(baseline(), scene_of(baseline()), kTimedThreads);
     beside.draw();  // the first frame takes the memory
     const double steps = double(job_.rounds) * double(chart_.points.size());
     double done = 0;
@@ -279,21 +269,15 @@ class Measuring {
   static bool needs_round(const ChartPoint& point, int round) {
     const std::size_t had = point.ratios.size();
     if (had > std::size_t(round)) return false;
-    return had < kSlowRounds || median(point.milliseconds) < kSlow;
+    return had < kSlowRounds || median(point.milliseconds) < kSlowFrame;
   }
 
-  /// A renderer made anew, since where its memory lies is part of its time. The least of a few
-  /// frames in turns with the baseline's: what else the machine does only makes frames longer.
+  /// A renderer made anew, since where its memory lies is part of its time.
   void time_round(ChartPoint& point, MethodRenderer& beside) {
-    MethodRenderer renderer(*point.method, scene_of(*point.method), kThreads);
-    const bool slow = milliseconds_of(renderer) > kSlow;
-    double baseline_time = milliseconds_of(beside), time = milliseconds_of(renderer);
-    for (int frame = 1; frame < (slow ? 1 : kFrames); ++frame) {
-      baseline_time = std::min(baseline_time, milliseconds_of(beside));
-      time = std::min(time, milliseconds_of(renderer));
-    }
-    point.ratios.push_back(time / baseline_time);
-    point.milliseconds.push_back(time);
+    MethodRenderer renderer(*point.method, scene_of(*point.method), kTimedThreads);
+    const FrameRound round = lumaknot::time_round([&] { renderer.draw(); }, [&] { beside.draw(); });
+    point.ratios.push_back(round.ratio);
+    point.milliseconds.push_back(round.milliseconds);
   }
 
   const ChartJob& job_;

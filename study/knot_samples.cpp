@@ -39,9 +39,16 @@ KnotSample KnotGrid::of_tube(const ExactFragment& fragment) const {
   return sample;
 }
 
+Frame KnotGrid::frame_of(const KnotSample& sample) const {
+  return frame_at(spines_[std::size_t(sample.seen.triangle)], knot_.frames, sample.t);
+}
+
+Vec3d KnotGrid::exact_position(const KnotSample& sample) const {
+  return frame_of(sample).position + exact_normal(sample) * knot_.tube_radius;
+}
+
 Vec3d KnotGrid::exact_normal(const KnotSample& sample) const {
-  const Spine& spine = spines_[std::size_t(sample.seen.triangle)];
-  const Frame frame = frame_at(spine, knot_.frames, sample.t);
+  const Frame frame = frame_of(sample);
   return frame.across * std::cos(sample.theta) + frame.over * std::sin(sample.theta);
 }
 

@@ -29,7 +29,11 @@ class KnotGrid {
   /// The exact normal at the sample's parameters.
   Vec3d exact_normal(const KnotSample& sample) const;
 
+  /// The exact tube's point there.
+  Vec3d exact_position(const KnotSample& sample) const;
+
  private:
+  Frame frame_of(const KnotSample& sample) const;
   Vec3d interpolated_normal(std::size_t component, double t, double theta) const;
 
   KnotSpec knot_;

@@ -207,6 +207,30 @@ TEST(Deviation, stays_below_its_bound) {
   }
 }
 
+TEST(Deviation, points_of_triangles_are_within_the_bound_of_their_place) {
+  constexpr int kSegments = 60, kSides = 9, kSteps = 4;  // steps of a triangle's edge
+  for (const Tube& tube : fifty_tubes()) {
+    const TubeSurface surface = tube.surface();
+    const double bound = deviation_bound(surface, kSegments, kSides).offset;
+    EXPECT_GE(bound, deviation_bound(surface, kSegments, kSides).chord);
+    const auto at = [&](double i, double j) {
+      return surface.at(2 * kPi * i / kSegments, 2 * kPi * j / kSides).position;
+    };
+    for (int i = 0; i < kSegments; ++i) {
+      for (int j = 0; j < kSides; ++j) {
+        const Vec3d a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1);
+        for (int k = 0; k <= kSteps; ++k) {
+          for (int l = 0; l <= k; ++l) {  // a + x (b - a) + y (c - b), y <= x
+            const double x = double(k) / kSteps, y = double(l) / kSteps;
+            const Vec3d flat = a + (b - a) * x + (c - b) * y;
+            ASSERT_LE(length(flat - at(i + x, j + y)), bound * (1 + 1e-9) + 1e-14);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Deviation, has_a_bound_that_is_not_far_above) {
   for (const Tube& tube : fifty_tubes()) {
     const Deviation measured = measured_deviation(tube.surface(), 768, 40);

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/output_folder.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "scene/scene_json.h"
+#include "study/planning/plan.h"
+#include "validate/process.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlanFlags {
+  std::string scene = "figure2", output = "plan", tolerance = "1/255";
+  double shift = Tolerance{}.shift;
+  bool exhaustive = false;
+  int rounds = 5;
+  Output out;
+};
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return value;
+}
+
+/// "0.004", or a fraction: "1/255".
+double tolerance_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto above = number_of(std::string_view(text).substr(0, slash));
+  const auto below =
+      slash == std::string::npos ? 1 : number_of(std::string_view(text).substr(slash + 1));
+  if (above && below) return *above / *below;
+  throw Error(fmt::format("--tolerance must be a number or a fraction, got {}; say 1/255", text));
+}
+
+/// The texture's file beside the smaller scene, which is read from there.
+void copy_texture(const SceneInput& input, const fs::path& folder, SceneSpec& lean) {
+  auto* file = std::get_if<TextureFile>(&lean.texture);
+  if (!file) return;
+  const fs::path name = "texture" + fs::path(file->path).extension().string();
+  write_file(folder / name, read_file(input.folder / file->path, "texture.file"), "--output");
+  file->path = name.string();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += " " + word;
+  return line;
+}
+
+void write_all(const SceneInput& input, Plan& plan, const PlanFlags& flags) {
+  const fs::path folder = flags.output;
+  const std::string command =
+      fmt::format("lumaknot render {}{} -o planned.png", (folder / "scene.json").string(),
+                  joined(render_arguments(plan.chosen.method)));
+  copy_texture(input, folder, plan.lean);
+  write_file(folder / "scene.json", scene_to_json(plan.lean), "--output");
+  write_file(folder / "certificate.json", plan_json(plan), "--output");
+  write_file(folder / "index.html", plan_html(plan, flags.scene, command), "--output");
+  if (flags.out.json) fmt::print("{}", plan_json(plan));
+  flags.out.say(plan_text(plan));
+  flags.out.say(fmt::format("draw it: {}", command));
+  flags.out.say(fmt::format("see {}", (folder / "index.html").string()));
+}
+
+int run(const PlanFlags& flags) {
+  const Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
+  check_tolerance(tolerance, false);
+  const SceneInput input = read_scene(flags.scene);
+  const PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
+  check_plan(job);
+  make_output_folder(flags.output, "scene.json");
+  try {
+    Plan plan =
+        make_plan(job, flags.output, progress_bar(flags.out, "plan"),
+                  [](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
+    write_all(input, plan, flags);
+    return plan.met ? kExitAgreed : kExitDiffered;
+  } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
+    fmt::print(stderr,
+               "lumaknot: interrupted; {} choices are measured and kept in {}; the same command "
+               "goes on\n",
+               measured_choices(flags.output), flags.output);
+    throw;
+  }
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& program, int& exit_code) {
+  auto flags = std::make_shared<PlanFlags>();
+  CLI::App* command = program.add_subcommand(
+      "plan", "Find the cheapest model of a scene that meets a tolerance, and prove it");
+  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", flags->output,
+                   "the folder for the smaller scene.json, certificate.json and index.html; a plan "
+                   "that was begun there goes on")
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", flags->tolerance,
+                   "of each channel of each pixel, a number or a fraction")
+      ->capture_default_str();
+  command
+      ->add_option("--shift", flags->shift,
+                   "pixels within which the truth may show what the picture does; 0: no edge can "
+                   "be met")
+      ->capture_default_str();
+  command->add_flag("--exhaustive", flags->exhaustive,
+                    "measure every choice, to tell how near to the best the plan is");
+  command->add_option("--rounds", flags->rounds, "rounds that time a choice")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_output_flags(*command, flags->out);
+  command->footer(
+      "Errors are of the picture before it is rounded to 8 bits. Ctrl-C keeps what was measured; "
+      "the\n"
+      "same command goes on.\n"
+      "Exit code: 0 the tolerance is met, 1 it can't be, 2 wrong use or input.\n"
+      "Examples:\n"
+      "  lumaknot plan -o plan/\n"
+      "  lumaknot plan scene.json --tolerance 1/255 -o plan/\n"
+      "  lumaknot plan scene.json --tolerance 0.02 --shift 0.5 --exhaustive -o plan/");
+  command->callback([flags, &exit_code] {
+    const InterruptGuard guard;
+    exit_code = run(*flags);
+  });
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,93 @@
+#include "study/planning/choices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "meshgen/knot_mesh.h"
+#include "meshgen/lean_grid.h"
+#include "scene/error.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr double kMostTriangles = 2e6;
+
+double triangles_of(const GridSize& grid, std::size_t components) {
+  return 2.0 * grid.segments * grid.sides * double(components);
+}
+
+/// The leanest grid within a pixel's shift, whose proportion all have; the scene's own, where the
+/// tube is too thick for one.
+GridSize lean_size(const KnotSpec& knot, const Predictor& predictor) {
+  try {
+    const Spine spine(centre_lines(knot).front());
+    const double shift = std::clamp(predictor.tolerance().shift, 0.05, 1.0) * predictor.pixel();
+    const LeanGrid lean =
+        lean_grid(TubeSurface(spine, knot.tube_radius), std::max(shift, 1e-3 * knot.tube_radius));
+    return {lean.segments, lean.sides};
+  } catch (const Error&) {
+    return {knot.segments, knot.sides};
+  }
+}
+
+bool is_fine_enough(const GridSize& grid, const KnotSpec& knot, const Predictor& predictor) {
+  const double shift = std::max(predictor.tolerance().shift, 0.05);
+  const bool fine = predictor.of(with_grid({}, grid)).place <= shift / 8;
+  return fine && triangles_of(grid, 1) >= 4 * triangles_of({knot.segments, knot.sides}, 1);
+}
+
+/// The samples a pixel that a number type can have.
+std::vector<int> samples_of(Number number, bool area) {
+  if (!area) return {1};
+  if (number == Number::kFloat) return {2, 4, 8, 16};
+  return {4, 16, 64};
+}
+
+}  // namespace
+
+Method with_grid(Method method, const GridSize& grid) {
+  method.segments = grid.segments;
+  method.sides = grid.sides;
+  return method;
+}
+
+std::vector<GridSize> grid_ladder(const KnotSpec& knot, const Predictor& predictor) {
+  constexpr double kRatio = 1.189207115002721;  // the fourth root of 2, in each direction
+  const std::size_t components = centre_lines(knot).size();
+  const GridSize lean = lean_size(knot, predictor);
+  const double start = 3.0 / lean.sides;
+  std::vector<GridSize> ladder{{knot.segments, knot.sides}};
+  for (double factor = start;; factor *= kRatio) {
+    const GridSize grid{std::max(3, int(std::lround(lean.segments * factor))),
+                        std::max(3, int(std::lround(lean.sides * factor)))};
+    if (triangles_of(grid, components) > kMostTriangles) break;
+    if (std::ranges::find(ladder, grid) == ladder.end()) ladder.push_back(grid);
+    if (is_fine_enough(grid, knot, predictor)) break;
+  }
+  std::ranges::stable_sort(ladder, {}, [](const GridSize& g) { return triangles_of(g, 1); });
+  return ladder;
+}
+
+std::vector<Method> ways_to_draw(const Material& material, const Texture& texture, bool area) {
+  const bool textured = std::holds_alternative<TextureImage>(texture);
+  std::vector<Method> ways;
+  for (const Number number : {Number::kFloat, Number::kDouble}) {
+    for (const int samples : samples_of(number, area)) {
+      for (const Rate rate : {Rate::kVertex, Rate::kPixel}) {
+        for (const Formula formula : {Formula::kMatrices, Formula::kCollapsed, Formula::kBaked}) {
+          for (const Filter filter : {Filter::kBilinear, Filter::kTrilinear}) {
+            const Method way{0, 0, rate, material.space, formula, number, filter, samples};
+            const bool shows = textured || filter == Filter::kBilinear;
+            if (shows && method_shortfall(way).empty()) ways.push_back(way);
+          }
+        }
+      }
+    }
+  }
+  return ways;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,188 @@
+#include "study/planning/nearby.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "shaders/number.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+std::array<double, 4> channels(const Sample& s) {
+  return {s.color.x, s.color.y, s.color.z, s.coverage};
+}
+
+Sample from_channels(const std::array<double, 4>& c) { return {{c[0], c[1], c[2]}, c[3]}; }
+
+Vec2d moved(double x, double y, double radius, double angle) {
+  return {x + radius * std::cos(angle), y + radius * std::sin(angle)};
+}
+
+/// Whether both show one smooth piece of the surface.
+bool continuous(const ExactFragment& a, const ExactFragment& b) {
+  if (a.fragment.triangle != b.fragment.triangle) return false;
+  if (!a.fragment.covered()) return true;
+  const auto apart = [](double d) { return std::min(std::abs(d), kTurn - std::abs(d)); };
+  return apart(a.t - b.t) < 0.2 && apart(a.theta - b.theta) < 0.8;
+}
+
+}  // namespace
+
+void SampleRange::add(const Sample& sample, double error) {
+  std::array<double, 4> least = channels(low), most = channels(high);
+  const std::array<double, 4> value = channels({saturate(sample.color), sample.coverage});
+  for (std::size_t c = 0; c < 4; ++c) {
+    least[c] = std::min(least[c], value[c] + error);
+    most[c] = std::max(most[c], value[c] - error);
+  }
+  low = from_channels(least);
+  high = from_channels(most);
+}
+
+double SampleRange::distance(const Sample& sample) const {
+  const std::array<double, 4> least = channels(low), most = channels(high);
+  const std::array<double, 4> value = channels({saturate(sample.color), sample.coverage});
+  double worst = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (!std::isfinite(value[c])) return std::numeric_limits<double>::infinity();
+    worst = std::max({worst, least[c] - value[c], value[c] - most[c]});
+  }
+  return worst;
+}
+
+void Nearby::look_quickly(NearbyRange& nearby, int x, int y) const {
+  if (nearby.has_quick) return;
+  nearby.has_quick = true;
+  nearby.quick = nearby.place;
+  if (shift_ == 0) return;
+  if (area_) return look_at_cells(nearby.quick, x, y, 16);
+  look_around(nearby.quick, x + 0.5, y + 0.5);
+}
+
+void Nearby::look_fully(NearbyRange& nearby, int x, int y) const {
+  if (nearby.has_full) return;
+  look_quickly(nearby, x, y);
+  nearby.has_full = true;
+  nearby.full = nearby.behind = nearby.quick;
+  if (shift_ == 0) return;
+  if (area_) {
+    look_at_cells(nearby.full, x, y, 32);
+    nearby.behind = nearby.full;
+  } else {
+    look_closely(nearby, x + 0.5, y + 0.5);
+  }
+}
+
+void Nearby::look_around(SampleRange& range, double x, double y) const {
+  for (int k = 0; k < 16; ++k) {
+    const Vec2d at = moved(x, y, k < 8 ? shift_ : shift_ / 2, k * kTurn / 8);
+    range.add(pixels_.sample(pixels_.at(at.u, at.v).fragment), 0);
+  }
+}
+
+void Nearby::look_at_cells(SampleRange& range, int x, int y, int cells) const {
+  const double side = 1.0 / cells, reach = shift_ - side * std::numbers::sqrt2 / 2;
+  if (reach < 0) return;
+  const int border = int(reach / side), width = cells + 2 * border;
+  std::vector<std::array<double, 4>> seen;  // cell by cell, those of the border too
+  for (int k = 0; k < width * width; ++k) {
+    const double u = x + side * (k % width - border + 0.5),
+                 v = y + side * (k / width - border + 0.5);
+    seen.push_back(channels(pixels_.sample(pixels_.at(u, v).fragment)));
+  }
+  std::vector<int> near;  // steps from a cell to those within reach
+  for (int v = -border; v <= border; ++v) {
+    for (int u = -border; u <= border; ++u) {
+      if (std::hypot(u, v) * side <= reach) near.push_back(v * width + u);
+    }
+  }
+  std::array<double, 4> low{}, high{};
+  for (int k = 0; k < cells * cells; ++k) {
+    const int own = (k / cells + border) * width + k % cells + border;
+    std::array<double, 4> least = seen[std::size_t(own)], most = least;
+    for (const int step : near) {
+      const std::array<double, 4>& other = seen[std::size_t(own + step)];
+      for (std::size_t c = 0; c < 4; ++c) {
+        least[c] = std::min(least[c], other[c]);
+        most[c] = std::max(most[c], other[c]);
+      }
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      low[c] += least[c] * side * side;
+      high[c] += most[c] * side * side;
+    }
+  }
+  range.add(from_channels(low), 0);
+  range.add(from_channels(high), 0);
+}
+
+void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
+  constexpr std::size_t kRings = 8, kRays = 32;
+  std::array<std::array<Vec2d, kRays>, kRings> places;
+  std::array<std::array<ExactFragment, kRays>, kRings> seen;
+  const auto look_along = [&](Vec2d at) {
+    const ExactFragment found = pixels_.at(at.u, at.v);
+    nearby.full.add(pixels_.sample(found.fragment), 0);
+    look_behind(nearby.behind, at, found);
+    return found;
+  };
+  look_along({x, y});
+  for (std::size_t ring = 0; ring < kRings; ++ring) {
+    for (std::size_t k = 0; k < kRays; ++k) {
+      places[ring][k] = moved(x, y, shift_ * double(ring + 1) / kRings, double(k) * kTurn / kRays);
+      seen[ring][k] = look_along(places[ring][k]);
+    }
+  }
+  for (std::size_t ring = 0; ring < kRings; ++ring) {
+    for (std::size_t k = 0; k < kRays; ++k) {
+      const std::size_t next = (k + 1) % kRays;
+      if (!continuous(seen[ring][k], seen[ring][next])) {
+        look_at_edge(nearby.full, places[ring][k], places[ring][next]);
+      }
+      if (ring > 0 && !continuous(seen[ring][k], seen[ring - 1][k])) {
+        look_at_edge(nearby.full, places[ring][k], places[ring - 1][k]);
+      }
+    }
+  }
+}
+
+/// Through what is no deeper than the shift.
+void Nearby::look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const {
+  constexpr int kMost = 4;  // passages through the tube
+  constexpr double kBeyond = 1 + 1e-9;
+  ExactFragment in = seen;
+  for (int i = 0; i < kMost && in.fragment.covered(); ++i) {
+    const ExactFragment out = pixels_.at(at.u, at.v, in.fragment.depth * kBeyond);
+    if (!out.fragment.covered()) return;
+    const Vec3d through = out.fragment.position - in.fragment.position;
+    // Of an arc the height is a quarter of its chord times the sine at its ends.
+    const double depth = std::abs(dot(through, in.fragment.normal)) / 4;
+    if (depth > shift_ * pixels_.pixel_width() * in.fragment.depth) return;
+    range.add(pixels_.sample(out.fragment), 0);
+    in = pixels_.at(at.u, at.v, out.fragment.depth * kBeyond);
+    range.add(pixels_.sample(in.fragment), 0);
+  }
+}
+
+/// Towards its limb a surface's colour changes faster and faster: both sides of the edge.
+void Nearby::look_at_edge(SampleRange& range, Vec2d a, Vec2d b) const {
+  constexpr int kHalvings = 24;
+  ExactFragment at_a = pixels_.at(a.u, a.v), at_b = pixels_.at(b.u, b.v);
+  for (int i = 0; i < kHalvings; ++i) {
+    const Vec2d middle{(a.u + b.u) / 2, (a.v + b.v) / 2};
+    const ExactFragment at = pixels_.at(middle.u, middle.v);
+    const bool with_a = continuous(at, at_a);
+    (with_a ? a : b) = middle;
+    (with_a ? at_a : at_b) = at;
+  }
+  range.add(pixels_.sample(at_a.fragment), 0);
+  range.add(pixels_.sample(at_b.fragment), 0);
+}
+
+}  // namespace lumaknot

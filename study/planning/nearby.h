@@ -1,0 +1,61 @@
+/// What the truth shows near a pixel.
+#pragma once
+
+#include "render/exact_pixels.h"
+#include "scene/image.h"
+#include "study/planning/tolerance.h"
+
+namespace lumaknot {
+
+/// The least and the most of each channel, colours limited to [0, 1].
+struct SampleRange {
+  Sample low, high;
+
+  /// Takes in a sample that is known to within `error`: what is certain of it.
+  void add(const Sample& sample, double error);
+
+  /// How far the worst channel of `sample` lies outside. Infinite for what is no number.
+  double distance(const Sample& sample) const;
+};
+
+/// What one pixel may show, as far as it was looked at. Each holds the one before.
+struct NearbyRange {
+  SampleRange place;   ///< of the very place
+  SampleRange quick;   ///< of a few rays or cells
+  SampleRange full;    ///< of many
+  SampleRange behind;  ///< and of what is hidden by less than the shift
+  bool has_quick = false, has_full = false;
+};
+
+/// Looks at the truth about pixels: first quickly, then fully. Of point truth: eight directions at
+/// the shift, eight at half of it; then at eight distances in thirty-two directions and on both
+/// sides of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each
+/// with the rays to cells so near that they are within the shift of all its points; the means of
+/// the cells' least and most. All see less than there is: what lies in the range is certainly near.
+///
+/// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
+/// where a ray of the full look passes through the tube no deeper than the shift, what it meets
+/// next counts as well; it is kept apart.
+class Nearby {
+ public:
+  /// Keeps `pixels` by reference.
+  Nearby(const ExactPixels& pixels, double shift, bool area)
+      : pixels_(pixels), shift_(shift), area_(area) {}
+
+  /// Fills `quick`, or `full` and `behind`, of the pixel (x, y), unless they are there.
+  void look_quickly(NearbyRange& nearby, int x, int y) const;
+  void look_fully(NearbyRange& nearby, int x, int y) const;
+
+ private:
+  void look_at_cells(SampleRange& range, int x, int y, int cells) const;
+  void look_around(SampleRange& range, double x, double y) const;
+  void look_closely(NearbyRange& nearby, double x, double y) const;
+  void look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const;
+  void look_at_edge(SampleRange& range, Vec2d seen, Vec2d other) const;
+
+  const ExactPixels& pixels_;
+  double shift_;
+  bool area_;
+};
+
+}  // namespace lumaknot

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+
+#include "exporters/image_file.h"
+#include "study/planning/plan.h"
+
+namespace lumaknot {
+namespace embedded {
+std::string_view plan_template();
+}
+namespace {
+
+namespace mustache = kainjow::mustache;
+using Data = mustache::data;
+
+std::string number(double value) { return fmt::format("{:.2g}", value); }
+
+std::string number_or_none(const std::optional<double>& value) {
+  return value ? number(*value) : "";
+}
+
+template <class T, class F>
+Data list_of(const std::vector<T>& all, const F& row) {
+  Data list(Data::type::list);
+  for (const T& one : all) list.push_back(row(one));
+  return list;
+}
+
+Data tried_row(const Tried& t) {
+  Data row;
+  row.set("what", t.what);
+  row.set("predicted", number_or_none(t.bound));
+  row.set("measured", number(t.change));
+  return row;
+}
+
+Data part_row(const ErrorPart& p) {
+  Data row;
+  row.set("part", p.name);
+  row.set("unit", p.unit);
+  row.set("predicted", number_or_none(p.predicted));
+  row.set("measured", number(p.measured));
+  return row;
+}
+
+Data choice_row(const PlanChoice& c) {
+  Data row;
+  row.set("method", method_name(c.method));
+  row.set("place", number(c.predicted.place));
+  row.set("shading", number_or_none(c.predicted.shading));
+  row.set("filter", number_or_none(c.predicted.filter));
+  row.set("error", number(c.judgement.error));
+  row.set("class", c.judgement.met ? "met" : "not");
+  row.set("time", c.milliseconds > 0 ? fmt::format("{:.2f}", c.milliseconds) : "");
+  return row;
+}
+
+Data picture_row(const std::string& caption, const Image& image) {
+  Data row;
+  row.set("caption", caption);
+  row.set("bytes", base64(display_png(image)));
+  return row;
+}
+
+/// What met the tolerance first, by time; then by error.
+std::vector<PlanChoice> sorted(std::vector<PlanChoice> choices) {
+  const auto key = [](const PlanChoice& c) {
+    const bool timed = c.judgement.met && c.milliseconds > 0;
+    return std::tuple(!c.judgement.met, !timed, timed ? c.milliseconds : c.judgement.error);
+  };
+  std::ranges::stable_sort(choices, {}, key);
+  return choices;
+}
+
+}  // namespace
+
+std::string plan_html(const Plan& plan, const std::string& scene, const std::string& command) {
+  Data page;
+  const double after = plan.chosen.milliseconds;
+  page.set("scene", scene);
+  page.set("command", command);
+  page.set("verdict", plan.met ? "Met" : "Can't be met");
+  page.set("verdict_class", plan.met ? "met" : "not");
+  page.set("method", method_name(plan.chosen.method));
+  page.set("color", fmt::format("{:.4g}", plan.tolerance.color));
+  page.set("shift", fmt::format("{:.4g}", plan.tolerance.shift));
+  page.set("truth", plan.area ? "the mean over each pixel" : "the colour at each pixel's centre");
+  const Judgement& judged = plan.chosen.judgement;
+  page.set("error", fmt::format("{:.4f}", judged.error));
+  page.set("in_place", fmt::format("{:.3f}", judged.in_place));
+  page.set("pixels", std::to_string(judged.covered));
+  page.set("shifted", std::to_string(judged.shifted));
+  page.set("failing", std::to_string(judged.failing));
+  page.set("share", number(plan.share));
+  page.set("change", number(plan.dropping.change));
+  page.set("dropped", list_of(plan.dropping.dropped, tried_row));
+  page.set("has_dropped", !plan.dropping.dropped.empty());
+  page.set("kept", list_of(plan.dropping.kept, tried_row));
+  page.set("parts", list_of(plan.parts, part_row));
+  page.set("blamed", list_of(plan.blamed, [](const Blame& b) {
+             Data row;
+             row.set("part", b.part);
+             row.set("pixels", std::to_string(b.pixels));
+             return row;
+           }));
+  page.set("has_blamed", !plan.blamed.empty());
+  page.set("reference", fmt::format("{:.1f}", plan.reference_milliseconds));
+  page.set("fast", fmt::format("{:.2f}", plan.fast_milliseconds));
+  page.set("after", fmt::format("{:.2f}", after));
+  page.set("to_reference", fmt::format("{:.1f}", plan.reference_milliseconds / after));
+  page.set("to_fast", fmt::format("{:.2f}", plan.fast_milliseconds / after));
+  page.set("has_best", plan.best_of_all.has_value());
+  if (plan.best_of_all) {
+    page.set("best", method_name(plan.best_of_all->method));
+    page.set("to_best", fmt::format("{:.2f}", plan.time_to_best));
+  }
+  page.set("considered", std::to_string(plan.considered));
+  page.set("measured", std::to_string(plan.choices.size()));
+  page.set("choices", list_of(sorted(plan.choices), choice_row));
+  Data pictures(Data::type::list);
+  pictures.push_back(picture_row("before: the reference", plan.before));
+  pictures.push_back(picture_row("after: as planned", plan.after));
+  pictures.push_back(
+      picture_row("error after the shift: white is the tolerance, red beyond it", plan.errors));
+  page.set("pictures", pictures);
+  mustache::mustache layout{std::string(embedded::plan_template())};
+  return layout.render(page);
+}
+
+}  // namespace lumaknot

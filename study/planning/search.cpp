@@ -1,0 +1,203 @@
+#include "study/planning/search.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lumaknot {
+namespace {
+
+constexpr double kClearly = 1.05;    // slower by this share is slower
+constexpr double kContender = 1.15;  // within this of the best, a time is measured better
+constexpr int kFirst = 2;            // rounds of all
+constexpr int kBetter = 3;           // times the rounds
+constexpr std::size_t kNeighbours = 2;
+
+void report(const Progress& progress, double done) {
+  if (progress) progress(std::min(done, 1.0));
+}
+
+/// The search of one way's grids.
+class Rungs {
+ public:
+  Rungs(const Method& way, std::span<const GridSize> ladder, Workshop& workshop)
+      : way_(way), ladder_(ladder), workshop_(workshop) {}
+
+  Method at(std::size_t rung) const { return with_grid(way_, ladder_[rung]); }
+  bool meets(std::size_t rung) { return workshop_.judgement(at(rung)).met; }
+
+  /// The coarsest that meets the tolerance, begun at `guess`. Errors need not fall from rung to
+  /// rung: below what is found all are tried until two fail by far.
+  std::optional<std::size_t> coarsest(std::size_t guess) {
+    std::optional<std::size_t> good = first_from(guess);
+    if (!good) return {};
+    std::size_t high = *good;
+    long low = below(high);
+    while (long(high) - low > 1) {
+      const std::size_t middle = std::size_t((long(high) + low) / 2);
+      if (meets(middle)) {
+        high = middle;
+      } else {
+        low = long(middle);
+      }
+    }
+    return scan_below(high);
+  }
+
+ private:
+  std::size_t scan_below(std::size_t good) {
+    constexpr long long kFar = 16;  // pixels
+    int far = 0;
+    for (std::size_t rung = good; rung-- > 0 && far < 2;) {
+      const Judgement& judgement = workshop_.judgement(at(rung));
+      if (judgement.met) good = rung;
+      far = judgement.failing > kFar ? far + 1 : 0;
+    }
+    return good;
+  }
+
+  /// One that meets it at `guess` or farther up, in growing steps.
+  std::optional<std::size_t> first_from(std::size_t guess) {
+    for (std::size_t step = 1, rung = guess;; rung += step, step *= 2) {
+      const std::size_t tried = std::min(rung, ladder_.size() - 1);
+      if (meets(tried)) return tried;
+      if (tried + 1 == ladder_.size()) return {};
+    }
+  }
+
+  /// The nearest below `high` that doesn't meet it, in growing steps; -1: all that were tried do.
+  long below(std::size_t& high) {
+    for (long step = 1;; step *= 2) {
+      const long rung = long(high) - step;
+      if (rung < 0) return high > 0 && !meets(0) ? 0 : -1;
+      if (!meets(std::size_t(rung))) return rung;
+      high = std::size_t(rung);
+    }
+  }
+
+  Method way_;
+  std::span<const GridSize> ladder_;
+  Workshop& workshop_;
+};
+
+std::optional<Method> fastest(std::span<const Method> methods, Workshop& workshop) {
+  std::optional<Method> best;
+  for (const Method& m : methods) {
+    if (!best || workshop.ratio(m) < workshop.ratio(*best)) best = m;
+  }
+  return best;
+}
+
+/// Those within `share` of the fastest.
+std::vector<Method> contenders(std::span<const Method> methods, double share, Workshop& workshop) {
+  const std::optional<Method> best = fastest(methods, workshop);
+  std::vector<Method> near;
+  for (const Method& m : methods) {
+    if (workshop.least_ratio(m) <= share * workshop.ratio(*best)) near.push_back(m);
+  }
+  return near;
+}
+
+/// Every method a little, the contenders more often, the closest of them more often still.
+void time_well(std::span<const Method> methods, Workshop& workshop, int rounds) {
+  if (methods.empty()) return;
+  workshop.time(methods, kFirst);
+  workshop.time(contenders(methods, 1.5, workshop), rounds);
+  workshop.time(contenders(methods, kContender, workshop), kBetter * rounds);
+}
+
+/// The first rung of which the prediction promises the tolerance; where it never does, the first
+/// whose place it promises. What the texture's filter may do is left to measuring.
+std::size_t guessed_rung(const Method& way, std::span<const GridSize> ladder,
+                         const Predictor& predictor) {
+  const auto first = [&](auto promised) {
+    std::size_t rung = 0;
+    while (rung + 1 < ladder.size() && !promised(predictor.of(with_grid(way, ladder[rung])))) {
+      ++rung;
+    }
+    return rung;
+  };
+  const Tolerance& tolerance = predictor.tolerance();
+  const std::size_t whole = first([&](PredictedError error) {
+    error.filter = 0;
+    return error.promises(tolerance, 0);
+  });
+  if (whole + 1 < ladder.size()) return whole;
+  return first([&](const PredictedError& error) { return error.place <= tolerance.shift; });
+}
+
+/// Ways in the order of their coarsest grid's time.
+std::vector<Method> ways_by_time(const Choices& choices, Workshop& workshop) {
+  std::vector<Method> coarse;
+  for (const Method& way : choices.ways) coarse.push_back(with_grid(way, choices.ladder.front()));
+  workshop.time(coarse, kFirst);
+  std::ranges::stable_sort(coarse, {}, [&](const Method& m) { return workshop.least_ratio(m); });
+  return coarse;
+}
+
+}  // namespace
+
+std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
+                                         Workshop& workshop, int rounds, const Progress& progress) {
+  std::vector<Method> finalists;
+  const std::vector<Method> coarse = ways_by_time(choices, workshop);
+  double done = 0;
+  for (const Method& way : coarse) {
+    report(progress, 0.8 * done++ / double(coarse.size()));
+    const std::optional<Method> best = fastest(finalists, workshop);
+    if (best && workshop.least_ratio(way) > kClearly * workshop.ratio(*best)) continue;
+    Rungs rungs(way, choices.ladder, workshop);
+    const auto found = rungs.coarsest(guessed_rung(way, choices.ladder, predictor));
+    if (!found) continue;
+    const std::size_t last = std::min(*found + kNeighbours, choices.ladder.size() - 1);
+    for (std::size_t rung = *found; rung <= last; ++rung) {
+      if (rungs.meets(rung)) finalists.push_back(rungs.at(rung));
+    }
+    workshop.time(finalists, kFirst);
+  }
+  time_well(finalists, workshop, rounds);
+  report(progress, 1);
+  return fastest(finalists, workshop);
+}
+
+std::optional<Method> fastest_of_all(const Choices& choices, const std::optional<Method>& chosen,
+                                     Workshop& workshop, int rounds, const Progress& progress) {
+  // More triangles take longer, whatever the way.
+  const auto hopeless = [&](const Method& way) {
+    const double least = workshop.least_ratio(with_grid(way, choices.ladder.front()));
+    return chosen && least > 2 * workshop.ratio(*chosen);
+  };
+  std::vector<Method> meeting;
+  double done = 0;
+  for (const GridSize& grid : choices.ladder) {
+    for (const Method& way : choices.ways) {
+      const Method method = with_grid(way, grid);
+      if (workshop.judgement(method).met && !hopeless(way)) meeting.push_back(method);
+    }
+    report(progress, 0.6 * ++done / double(choices.ladder.size()));
+  }
+  time_well(meeting, workshop, rounds);
+  if (chosen) {
+    std::vector<Method> last = contenders(meeting, kContender, workshop);
+    last.push_back(*chosen);
+    workshop.time(last, kBetter * rounds);
+  }
+  report(progress, 1);
+  return fastest(meeting, workshop);
+}
+
+Method closest_method(const Choices& choices, const Notebook& notebook) {
+  Method closest = with_grid(choices.ways.front(), choices.ladder.back());
+  double least = std::numeric_limits<double>::infinity();
+  for (const GridSize& grid : choices.ladder) {
+    for (const Method& way : choices.ways) {
+      const Method method = with_grid(way, grid);
+      const auto known = notebook.judgements().find(method_name(method));
+      if (known == notebook.judgements().end() || known->second.error >= least) continue;
+      least = known->second.error;
+      closest = method;
+    }
+  }
+  return closest;
+}
+
+}  // namespace lumaknot

@@ -1,0 +1,29 @@
+#include "study/planning/tolerance.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/error.h"
+
+namespace lumaknot {
+
+void check_tolerance(const Tolerance& tolerance, bool area) {
+  constexpr double kFarthest = 16;  // pixels; farther is another picture
+  if (!std::isfinite(tolerance.color) || tolerance.color <= 0) {
+    throw Error(
+        fmt::format("--tolerance must be a number > 0, got {}; say 1/255", tolerance.color));
+  }
+  const double finest = area ? kAreaTruthError : kPointTruthError;
+  if (tolerance.color <= finest) {
+    throw Error(fmt::format(
+        "--tolerance {:g} is finer than the truth, which is known to {:g}{}; allow more",
+        tolerance.color, finest, area ? " where image.samples is above 1" : ""));
+  }
+  if (!(tolerance.shift >= 0 && tolerance.shift <= kFarthest)) {
+    throw Error(fmt::format("--shift must be from 0 to {} pixels, got {}; say 0.25", kFarthest,
+                            tolerance.shift));
+  }
+}
+
+}  // namespace lumaknot

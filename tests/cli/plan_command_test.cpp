@@ -1,0 +1,148 @@
+// lumaknot plan, as the shell sees it. No time is expected of anything.
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program_test.h"
+
+namespace lumaknot {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+class PlanCommand : public Program {
+ protected:
+  void SetUp() override { write("small.json", kSmall); }
+
+  static constexpr const char* kSmall =
+      R"({"mesh": {"knot": {"segments": 96, "sides": 10}}, "texture": {"color": [0.8, 0.3, 0.2]},
+          "image": {"width": 32, "height": 24}})";
+
+  static std::vector<std::string> quick(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> all{"plan", "small.json", "--rounds", "1", "-o", "out"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  nlohmann::json certificate() { return nlohmann::json::parse(read("out/certificate.json")); }
+
+  std::vector<std::string> written() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path("out"))) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+};
+
+TEST_F(PlanCommand, writes_the_smaller_scene_its_certificate_and_the_page) {
+  const Ended ended = lumaknot(quick());
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_THAT(ended.log, HasSubstr("met: "));
+  EXPECT_THAT(ended.log, HasSubstr("draw it: lumaknot render out/scene.json --fast"));
+  EXPECT_THAT(written(), IsSupersetOf({"scene.json", "certificate.json", "index.html"}));
+  EXPECT_EQ(certificate()["met"], true);
+  EXPECT_LE(certificate()["chosen"]["measured"]["error"], 1.0 / 255);
+  EXPECT_THAT(read("out/index.html"), Not(HasSubstr("src=\"http")));
+}
+
+TEST_F(PlanCommand, writes_a_scene_that_is_drawn_by_the_command_that_it_tells) {
+  lumaknot(quick());
+  std::vector<std::string> arguments{"render", "out/scene.json", "-o", "planned.exr"};
+  for (const auto& word : certificate()["render_arguments"]) arguments.push_back(word);
+  const Ended ended = lumaknot(arguments);
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_GT(fs::file_size(path("planned.exr")), 500u);
+}
+
+TEST_F(PlanCommand, takes_the_texture_along) {
+  lumaknot({"render", "figure2", "-o", "wall.png"});
+  fs::create_directory(path("below"));
+  fs::rename(path("wall.png"), path("below/wall.png"));
+  write("below/scene.json",
+        R"({"texture": {"file": "wall.png"}, "image": {"width": 32, "height": 24}})");
+  const Ended ended =
+      lumaknot({"plan", "below/scene.json", "--tolerance", "0.2", "--rounds", "1", "-o", "out"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  EXPECT_EQ(read("out/texture.png"), read("below/wall.png"));
+  EXPECT_EQ(nlohmann::json::parse(read("out/scene.json"))["texture"]["file"], "texture.png");
+}
+
+TEST_F(PlanCommand, tells_json_alone_on_request) {
+  const Ended ended = lumaknot(quick({"--json"}));
+  EXPECT_EQ(nlohmann::json::parse(ended.log), certificate());
+}
+
+TEST_F(PlanCommand, says_why_when_it_cannot_be_met) {
+  const Ended ended = lumaknot(quick({"--shift", "0"}));
+  EXPECT_EQ(ended.exit_code, 1) << ended.log;
+  EXPECT_THAT(ended.log, HasSubstr("can't be met: "));
+  EXPECT_THAT(ended.log, HasSubstr("allow a --shift"));
+  EXPECT_FALSE(certificate()["blame"].empty());
+  EXPECT_EQ(certificate()["met"], false);
+}
+
+TEST_F(PlanCommand, leaves_out_what_no_pixel_needs) {
+  write("small.json", R"({"mesh": {"knot": {"segments": 96, "sides": 10}},
+    "texture": {"color": [0.8, 0.3, 0.2]}, "image": {"width": 32, "height": 24},
+    "lights": [{"point": {}}, {"directional": {"intensity": 1e-4}}]})");
+  lumaknot(quick());
+  EXPECT_EQ(certificate()["dropped"][0]["what"], "light 2 left out");
+  EXPECT_EQ(nlohmann::json::parse(read("out/scene.json"))["lights"].size(), 1u);
+}
+
+TEST_F(PlanCommand, ctrl_c_keeps_what_was_measured_and_the_same_command_goes_on) {
+  std::vector<std::string> arguments = quick({"--exhaustive"});
+  arguments[3] = "1000";  // rounds
+  arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
+  Process process({arguments, folder_.path(), sanitizer_options()});
+  for (int tries = 0; tries < 1000 && !fs::exists(path("out/measured.json")); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  process.signal(SIGINT);
+  const Ended ended = process.wait(std::chrono::seconds(30));
+  EXPECT_EQ(ended.exit_code, 130) << ended.log;
+  EXPECT_THAT(ended.log,
+              HasSubstr("choices are measured and kept in out; the same command goes on"));
+  const auto kept = nlohmann::json::parse(read("out/measured.json"))["judgements"];
+  EXPECT_FALSE(kept.empty());
+  lumaknot(quick({"--quiet"}));
+  const auto after = nlohmann::json::parse(read("out/measured.json"))["judgements"];
+  for (const auto& [name, judgement] : kept.items()) EXPECT_EQ(after[name], judgement);
+}
+
+TEST_F(PlanCommand, another_tolerance_is_measured_anew_and_said_so) {
+  lumaknot(quick());
+  EXPECT_THAT(lumaknot(quick({"--tolerance", "0.02"})).log, HasSubstr("measured anew"));
+  EXPECT_EQ(certificate()["tolerance"]["color"], 0.02);
+}
+
+TEST_F(PlanCommand, tolerances_that_mean_nothing_are_refused) {
+  for (const char* wrong : {"0", "-1/255", "nan", "inf", "1/0", "0/0", "one", "1/", "", "1/2/3"}) {
+    expect_refused(quick({std::string("--tolerance=") + wrong}), "--tolerance");
+  }
+  expect_refused(quick({"--tolerance", "1e-9"}), "finer than the truth");
+  write("small.json", R"({"image": {"width": 32, "height": 24, "samples": 2}})");
+  expect_refused(quick({"--tolerance", "5e-5"}), "finer than the truth");
+  expect_refused(quick({"--shift", "-1"}), "--shift");
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(PlanCommand, scenes_without_a_pixel_or_an_exact_surface_are_refused) {
+  write("nothing.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
+                            "image": {"width": 24, "height": 20}})");
+  expect_refused({"plan", "nothing.json", "-o", "out"}, "covers no pixel");
+  write("three.json", R"({"mesh": {"knot": {"convention": "three"}}})");
+  expect_refused({"plan", "three.json", "-o", "out"}, "three");
+  lumaknot({"mesh", "--segments", "24", "--sides", "6", "-o", "knot.obj"});
+  write("file.json", R"({"mesh": {"file": "knot.obj"}, "image": {"width": 24, "height": 20}})");
+  expect_refused({"plan", "file.json", "-o", "out"}, "a mesh file has no exact surface");
+  write("file", "");
+  expect_refused({"plan", "small.json", "-o", "file"}, "--output file");
+  expect_refused(quick({"--rounds", "0"}), "--rounds");
+}
+
+}  // namespace
+}  // namespace lumaknot

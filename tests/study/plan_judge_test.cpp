@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scene/error.h"
+#include "study/planning/judge.h"
+#include "tests/study/plan_testing.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr double kStep = 1.0 / 255;
+
+/// The truth as seen from `dx` pixels to the right.
+Image moved_truth(const SceneSpec& spec, double dx) {
+  const Scene scene{{}, made(spec).texture, spec.view};
+  const ExactPixels pixels(scene, knot_of(spec));
+  Image image(spec.view.image.width, spec.view.image.height);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Sample sample = pixels.sample(pixels.at(x + 0.5 + dx, y + 0.5).fragment);
+      image.at(x, y) = {to_rgb(sample.color), float(sample.coverage)};
+    }
+  }
+  return image;
+}
+
+/// The middle of the image's covered pixels that no edge is near.
+RgbaPixel& inner_pixel(Image& image) {
+  for (int y = 8; y < image.height - 8; ++y) {
+    for (int x = 8; x < image.width - 8; ++x) {
+      bool inner = true;
+      for (int k = -4; k <= 4; ++k) {
+        inner = inner && image.at(x + k, y).coverage == 1 && image.at(x, y + k).coverage == 1;
+      }
+      if (inner) return image.at(x, y);
+    }
+  }
+  ADD_FAILURE() << "no pixel is inside";
+  return image.pixels.front();
+}
+
+TEST(Judge, the_truth_itself_meets_everything) {
+  const SceneSpec spec = small_spec(48);
+  const Judge judge(made(spec), knot_of(spec), {1e-6, 0});
+  const Judgement judgement = judge.judge(moved_truth(spec, 0));
+  EXPECT_TRUE(judgement.met);
+  EXPECT_LT(judgement.error, 1e-7);  // the truth is kept in float
+  EXPECT_GT(judgement.covered, 100);
+}
+
+TEST(Judge, a_picture_moved_within_the_shift_is_met_and_beyond_it_is_not) {
+  const SceneSpec spec = small_spec(48);
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
+  EXPECT_TRUE(judge.judge(moved_truth(spec, 0.24)).met);
+  EXPECT_GT(judge.judge(moved_truth(spec, 0.24)).shifted, 0);
+  EXPECT_FALSE(judge.judge(moved_truth(spec, 0.5)).met);
+}
+
+TEST(Judge, without_a_shift_no_moved_edge_is_met) {
+  const SceneSpec spec = small_spec(48);
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0});
+  const Judgement judgement = judge.judge(moved_truth(spec, 0.1));
+  EXPECT_FALSE(judgement.met);
+  EXPECT_EQ(judgement.error, judgement.in_place);
+}
+
+TEST(Judge, one_pixel_beyond_is_enough) {
+  const SceneSpec spec = small_spec(48);
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
+  Image image = moved_truth(spec, 0);
+  RgbaPixel& pixel = inner_pixel(image);
+  const RgbaPixel right = pixel;
+  pixel.color.g += 0.2f;
+  EXPECT_EQ(judge.judge(image).failing, 1);
+  pixel = right;
+  pixel.coverage = 0;
+  EXPECT_EQ(judge.judge(image).failing, 1);
+  pixel = right;
+  pixel.color.r = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(judge.judge(image).met);
+}
+
+TEST(Judge, colours_beyond_one_are_white_as_on_a_display) {
+  SceneSpec spec = small_spec(48);
+  spec.view.ambient = 3;
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0});
+  Image image = moved_truth(spec, 0);
+  EXPECT_GT(inner_pixel(image).color.r, 1.5);
+  for (RgbaPixel& p : image.pixels) p.color.r = std::min(p.color.r, 1.0f);
+  EXPECT_TRUE(judge.judge(image).met);
+}
+
+TEST(Judge, of_several_samples_the_mean_is_the_truth_and_sixteen_come_near) {
+  SceneSpec spec = small_spec(20);
+  spec.view.image.samples = 2;
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
+  EXPECT_TRUE(judge.judge(judge.truth()).met);
+  Scene fine = made(spec);
+  KnotSpec knot = knot_of(spec);
+  knot.segments = 600, knot.sides = 60;
+  fine.mesh = knot_mesh(knot);
+  const Method method{
+      600, 60, Rate::kPixel, Space::kRgb, Formula::kMatrices, Number::kFloat, Filter::kBilinear,
+      16};
+  EXPECT_TRUE(judge.judge(MethodRenderer(method, fine).image()).met);
+  EXPECT_FALSE(judge.judge(moved_truth(spec, 0.75)).met);
+}
+
+TEST(Judge, what_is_hidden_by_less_than_the_shift_counts_and_is_told_apart) {
+  // Bricks just beyond the horizon of the tube, which a coarse mesh shows.
+  SceneSpec spec = small_spec(200);
+  spec.texture = Bricks{};
+  spec.mesh = KnotSpec{.segments = 200, .sides = 24, .repeat_u = 12, .unwrap = Unwrap::kParameter};
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
+  const Method method{
+      200, 24, Rate::kPixel, Space::kRgb, Formula::kMatrices, Number::kFloat, Filter::kBilinear, 1};
+  const Judgement judgement = judge.judge(MethodRenderer(method, made(spec)).image());
+  EXPECT_TRUE(judgement.met);
+  EXPECT_GT(judgement.hidden, 0);
+  EXPECT_LT(judgement.hidden, judgement.shifted / 500);
+}
+
+TEST(Judge, refuses_a_scene_that_covers_no_pixel) {
+  SceneSpec spec = small_spec(16);
+  spec.view.camera.target = {0, -9, 9};
+  EXPECT_THROW(Judge(made(spec), knot_of(spec), {}), Error);
+}
+
+TEST(Tolerance, that_no_picture_can_be_held_to_is_refused) {
+  for (const double color : {0.0, -1.0, 1e-8, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(check_tolerance({color, 0.25}, false), Error);
+  }
+  EXPECT_THROW(check_tolerance({5e-5, 0.25}, true), Error);
+  EXPECT_NO_THROW(check_tolerance({5e-5, 0.25}, false));
+  EXPECT_THROW(check_tolerance({0.1, -0.1}, false), Error);
+  EXPECT_THROW(check_tolerance({0.1, std::numeric_limits<double>::infinity()}, false), Error);
+}
+
+}  // namespace
+}  // namespace lumaknot
