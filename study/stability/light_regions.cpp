@@ -184,6 +184,14 @@ Region light_at_infinity() {
   return region;
 }
 
+/// The unit vector of l + v in S, l being `angle` from opposite to v towards `across`.
+template <class S>
+Vec3d half_way(const Vec3d& v, const Vec3d& across, double angle) {
+  const Vec3d l = across * std::sin(angle) - v * std::cos(angle);
+  const Vec3<S> h = normalize(constant_vec<S>(l) + constant_vec<S>(v));
+  return {double(h.x), double(h.y), double(h.z)};
+}
+
 /// How far h = l + v in S is from what it is in double, in degrees: l nearly opposite to v, some
 /// ways round it.
 template <class S>
@@ -194,14 +202,24 @@ double half_way_error(double angle) {
     const double a = 2 * std::numbers::pi * i / kWays;
     const Vec3d v = normalize(Vec3d{std::cos(a), std::sin(a), 0.5});
     const Vec3d across = normalize(cross(v, Vec3d{0, 1, 0.3}));
-    const Vec3d l = across * std::sin(angle) - v * std::cos(angle);
-    const Vec3<S> h = normalize(constant_vec<S>(l) + constant_vec<S>(v));
     const Vec3d exact = across * std::cos(angle / 2) + v * std::sin(angle / 2);
-    const Vec3d found{double(h.x), double(h.y), double(h.z)};
+    const Vec3d found = half_way<S>(v, across, angle);
     if (!is_finite(found)) return std::numeric_limits<double>::quiet_NaN();
     largest = std::max(largest, std::acos(std::clamp(dot(found, exact), -1.0, 1.0)) * kDegrees);
   }
   return largest;
+}
+
+/// The knot with Blinn's highlight, each point lit from `angle` off the line from the eye.
+template <class S>
+Image draw_lit_from_behind(double angle, int side) {
+  const Scene scene = knot_scene(Material{});
+  return shade_each(scene, side, [&](const Fragment& f) {
+    const Vec3d v = normalize(scene.view.camera.position - f.position);
+    const Vec3d across = normalize(cross(v, Vec3d{0, 1, 0.3}));
+    const double cosine = dot(normalize(f.normal), half_way<S>(v, across, angle));
+    return grey(cosine > 0 ? std::pow(cosine, 8) : cosine * 0);  // no number stays none
+  });
 }
 
 Region half_way_opposite() {
@@ -220,6 +238,8 @@ Region half_way_opposite() {
   region.limit = 5;
   region.error = half_way_error<float>;
   region.guarded = half_way_error<double>;
+  region.sketch = draw_lit_from_behind<float>;
+  region.guarded_sketch = draw_lit_from_behind<double>;
   return region;
 }
 

@@ -150,7 +150,22 @@ Region cook_torrance_smooth() {
   return region;
 }
 
+/// The knot lit as it is, each point's n.v being `cosine`.
+template <class Specular>
+Image draw_grazing(double cosine, int side, Specular specular) {
+  const Scene scene = knot_scene(Material{});
+  const Vec3d light = std::get<PointLight>(scene.view.lights.front()).position;
+  return shade_each(scene, side, [&](const Fragment& f) {
+    const double l_cosine = dot(normalize(f.normal), normalize(light - f.position));
+    if (l_cosine < 0) return Vec3d{};
+    return grey(double(specular(across_from<float>(l_cosine, cosine), 0.3f)));
+  });
+}
+
 Region cook_torrance_grazing() {
+  const auto ours = [](const Directions<float>& d, float roughness) {
+    return cook_torrance_highlight(d, roughness, 1.0f);
+  };
   const auto fails = [](auto highlight) {
     return [highlight](double cosine) {
       double sum = 0;
@@ -172,9 +187,13 @@ Region cook_torrance_grazing() {
   region.measured = "1 where some n.l and roughness give no number, else 0";
   region.limit = 0.5;
   region.error = fails(textbook::cook_torrance<float>);
-  region.guarded = fails([](const Directions<float>& d, float roughness) {
-    return cook_torrance_highlight(d, roughness, 1.0f);
-  });
+  region.guarded = fails(ours);
+  region.sketch = [](double cosine, int side) {
+    return draw_grazing(cosine, side, textbook::cook_torrance<float>);
+  };
+  region.guarded_sketch = [ours](double cosine, int side) {
+    return draw_grazing(cosine, side, ours);
+  };
   return region;
 }
 
