@@ -24,15 +24,18 @@ Vec2d moved(double x, double y, double radius, double angle) {
   return {x + radius * std::cos(angle), y + radius * std::sin(angle)};
 }
 
-/// Whether both show one smooth piece of the surface.
-bool continuous(const ExactFragment& a, const ExactFragment& b) {
-  if (a.fragment.triangle != b.fragment.triangle) return false;
-  if (!a.fragment.covered()) return true;
+}  // namespace
+
+SeenPlace place_of(const ExactFragment& seen) {
+  return seen.fragment.covered() ? SeenPlace{seen.fragment.triangle, seen.t, seen.theta}
+                                 : SeenPlace{};
+}
+
+bool on_one_piece(const SeenPlace& a, const SeenPlace& b) {
+  if (a.component != b.component) return false;
   const auto apart = [](double d) { return std::min(std::abs(d), kTurn - std::abs(d)); };
   return apart(a.t - b.t) < 0.2 && apart(a.theta - b.theta) < 0.8;
 }
-
-}  // namespace
 
 void SampleRange::add(const Sample& sample, double error) {
   std::array<double, 4> least = channels(low), most = channels(high);
@@ -142,10 +145,10 @@ void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
   for (std::size_t ring = 0; ring < kRings; ++ring) {
     for (std::size_t k = 0; k < kRays; ++k) {
       const std::size_t next = (k + 1) % kRays;
-      if (!continuous(seen[ring][k], seen[ring][next])) {
+      if (!on_one_piece(place_of(seen[ring][k]), place_of(seen[ring][next]))) {
         look_at_edge(nearby.full, places[ring][k], places[ring][next]);
       }
-      if (ring > 0 && !continuous(seen[ring][k], seen[ring - 1][k])) {
+      if (ring > 0 && !on_one_piece(place_of(seen[ring][k]), place_of(seen[ring - 1][k]))) {
         look_at_edge(nearby.full, places[ring][k], places[ring - 1][k]);
       }
     }
@@ -177,7 +180,7 @@ void Nearby::look_at_edge(SampleRange& range, Vec2d a, Vec2d b) const {
   for (int i = 0; i < kHalvings; ++i) {
     const Vec2d middle{(a.u + b.u) / 2, (a.v + b.v) / 2};
     const ExactFragment at = pixels_.at(middle.u, middle.v);
-    const bool with_a = continuous(at, at_a);
+    const bool with_a = on_one_piece(place_of(at), place_of(at_a));
     (with_a ? a : b) = middle;
     (with_a ? at_a : at_b) = at;
   }

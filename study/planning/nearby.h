@@ -1,11 +1,25 @@
 /// What the truth shows near a pixel.
 #pragma once
 
+#include <cstdint>
+
 #include "render/exact_pixels.h"
 #include "scene/image.h"
 #include "study/planning/tolerance.h"
 
 namespace lumaknot {
+
+/// Where on the exact surface a point lies: a component and its parameters, or -1 for nowhere.
+struct SeenPlace {
+  std::int64_t component = -1;
+  double t = 0, theta = 0;  ///< radians
+};
+
+SeenPlace place_of(const ExactFragment& seen);
+
+/// Whether both show one smooth piece of the surface, or both nothing, as neighbours do away from
+/// edges: not too far apart in t and theta.
+bool on_one_piece(const SeenPlace& a, const SeenPlace& b);
 
 /// The least and the most of each channel, colours limited to [0, 1].
 struct SampleRange {

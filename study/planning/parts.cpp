@@ -2,37 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "render/fast_renderer.h"
 #include "render/shading.h"
 #include "study/knot_samples.h"
+#include "study/planning/nearby.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Whether the pixels about (x, y) show one smooth piece of the surface: `place` gives component,
-/// t and theta, or a component of -1.
-struct SeenPlace {
-  std::int64_t component = -1;
-  double t = 0, theta = 0;
-};
-
-bool near(const SeenPlace& a, const SeenPlace& b) {
-  const auto apart = [](double d) { return std::min(std::abs(d), kTurn - std::abs(d)); };
-  return a.component == b.component && apart(a.t - b.t) < 0.2 && apart(a.theta - b.theta) < 0.8;
-}
-
+/// Whether the pixels about (x, y) show one smooth piece of the surface.
 bool is_inside(const Grid<SeenPlace>& places, int x, int y) {
   const SeenPlace& own = places.at(x, y);
   if (own.component < 0) return false;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, places.height - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, places.width - 1); ++u) {
-      if (!near(own, places.at(u, v))) return false;
+      if (!on_one_piece(own, places.at(u, v))) return false;
     }
   }
   return true;
@@ -169,9 +156,7 @@ std::vector<Mended> mended(const Method& closest, const Choices& choices) {
 
 Grid<SeenPlace> places_of(const Grid<ExactFragment>& fragments) {
   Grid<SeenPlace> places(fragments.width, fragments.height);
-  std::ranges::transform(fragments.pixels, places.pixels.begin(), [](const ExactFragment& f) {
-    return f.fragment.covered() ? SeenPlace{f.fragment.triangle, f.t, f.theta} : SeenPlace{};
-  });
+  std::ranges::transform(fragments.pixels, places.pixels.begin(), place_of);
   return places;
 }
 
