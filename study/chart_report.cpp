@@ -23,7 +23,7 @@ constexpr Metric kMetrics[] = {
 Json method_json(const Method& m) {
   return {{"segments", m.segments},  {"sides", m.sides},          {"rate", int(m.rate)},
           {"space", int(m.space)},   {"formula", int(m.formula)}, {"number", int(m.number)},
-          {"filter", int(m.filter)}, {"samples", m.samples}};
+          {"filter", int(m.filter)}, {"samples", m.samples},      {"culls", m.culls}};
 }
 
 Method method_from(const Json& json) {
@@ -34,7 +34,8 @@ Method method_from(const Json& json) {
           Formula(json.at("formula").get<int>()),
           Number(json.at("number").get<int>()),
           Filter(json.at("filter").get<int>()),
-          json.at("samples")};
+          json.at("samples"),
+          json.at("culls")};
 }
 
 Json errors_json(const Errors& errors) {

@@ -26,10 +26,10 @@ int root_of(int samples) { return int(std::lround(std::sqrt(samples))); }
 
 std::string method_name(const Method& m) {
   const std::string grid = m.segments > 0 ? fmt::format("{}x{}", m.segments, m.sides) : "mesh";
-  return fmt::format("{} {} {}{} {} {} {}x", grid, kRateNames[std::size_t(m.rate)],
+  return fmt::format("{} {} {}{} {} {} {}x{}", grid, kRateNames[std::size_t(m.rate)],
                      kSpaceNames[std::size_t(m.space)], kFormulaEnds[std::size_t(m.formula)],
                      kNumberNames[std::size_t(m.number)], kFilterNames[std::size_t(m.filter)],
-                     m.samples);
+                     m.samples, m.culls ? " culled" : "");
 }
 
 std::string method_shortfall(const Method& m) {
@@ -42,6 +42,7 @@ std::string method_shortfall(const Method& m) {
     return sample_pattern(m.samples).empty() ? "float has 1, 2, 4, 6, 8 or 16 samples" : "";
   }
   if (m.filter == Filter::kTrilinear) return "half and double have no mipmaps";
+  if (m.culls) return "half and double draw both sides";
   const int root = root_of(m.samples);
   return m.samples < 1 || root * root != m.samples ? "half and double have n x n samples" : "";
 }
@@ -93,6 +94,7 @@ class MethodRenderer::Frames {
     FastOptions options;
     options.samples = method.samples;
     options.filter = method.filter;
+    options.cull_back_faces = method.culls;
     options.threads = threads;
     fast_ = std::make_unique<FastRenderer>(scene_, options);
   }

@@ -29,17 +29,19 @@ struct Method {
   Formula formula = Formula::kMatrices;
   Number number = Number::kFloat;
   Filter filter = Filter::kTrilinear;
-  int samples =
-      1;  ///< a pixel. Float: of coverage and depth, shaded once a triangle; others: shaded
+  /// A pixel. Float: of coverage and depth, shaded once a triangle; others: shaded.
+  int samples = 1;
+  bool culls = false;  ///< leaves out triangles that are seen from behind: float
 
   friend bool operator==(const Method&, const Method&) = default;
 };
 
-/// "192x10 pixel yiq-collapsed float trilinear 4x": the same for the same method, and for no other.
+/// "192x10 pixel yiq-collapsed float trilinear 4x culled": the same for the same method, and for no
+/// other.
 std::string method_name(const Method& method);
 
 /// Why the method can't be drawn; empty when it can. Float has 1, 2, 4, 6, 8 or 16 samples, half
-/// and double squares of them, and no mipmaps.
+/// and double squares of them, no mipmaps, and no culling.
 std::string method_shortfall(const Method& method);
 
 /// The material that `method` draws a scene of `material` with. Its numbers stay.

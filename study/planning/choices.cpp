@@ -71,7 +71,13 @@ std::vector<GridSize> grid_ladder(const KnotSpec& knot, const Predictor& predict
   return ladder;
 }
 
-std::vector<Method> ways_to_draw(const Material& material, const Texture& texture, bool area) {
+bool shows_fronts_alone(std::span<const Fragment> seen, const Vec3d& eye) {
+  return std::ranges::all_of(
+      seen, [&](const Fragment& f) { return dot(f.normal, eye - f.position) >= 0; });
+}
+
+std::vector<Method> ways_to_draw(const Material& material, const Texture& texture, bool area,
+                                 bool fronts_alone) {
   const bool textured = std::holds_alternative<TextureImage>(texture);
   std::vector<Method> ways;
   for (const Number number : {Number::kFloat, Number::kDouble}) {
@@ -79,7 +85,8 @@ std::vector<Method> ways_to_draw(const Material& material, const Texture& textur
       for (const Rate rate : {Rate::kVertex, Rate::kPixel}) {
         for (const Formula formula : {Formula::kMatrices, Formula::kCollapsed, Formula::kBaked}) {
           for (const Filter filter : {Filter::kBilinear, Filter::kTrilinear}) {
-            const Method way{0, 0, rate, material.space, formula, number, filter, samples};
+            const bool culls = fronts_alone && number == Number::kFloat;
+            const Method way{0, 0, rate, material.space, formula, number, filter, samples, culls};
             const bool shows = textured || filter == Filter::kBilinear;
             if (shows && method_shortfall(way).empty()) ways.push_back(way);
           }

@@ -1,6 +1,7 @@
 /// What a plan chooses from.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -30,8 +31,13 @@ std::vector<GridSize> grid_ladder(const KnotSpec& knot, const Predictor& predict
 /// All ways to draw a scene of `material` and `texture` but for the grid: light a pixel or a
 /// vertex, each formula that the space has, float or double, each filter that the texture can show;
 /// one sample a pixel, or with `area` two or more. Half is left out: it is software here, and its
-/// time says nothing.
-std::vector<Method> ways_to_draw(const Material& material, const Texture& texture, bool area);
+/// time says nothing. Float culls back faces where the picture shows `fronts_alone`: they cost time
+/// and draw nothing.
+std::vector<Method> ways_to_draw(const Material& material, const Texture& texture, bool area,
+                                 bool fronts_alone);
+
+/// Whether no point that is seen from `eye` shows the inside of the surface.
+bool shows_fronts_alone(std::span<const Fragment> seen, const Vec3d& eye);
 
 Method with_grid(Method method, const GridSize& grid);
 

@@ -49,6 +49,7 @@ double largest_difference(const Image& a, const Image& b, std::span<const std::s
 /// The method with float's part exact.
 Method in_double(Method method) {
   method.number = Number::kDouble;
+  method.culls = false;
   method.filter = Filter::kBilinear;
   const int root = std::max(1, int(std::lround(std::sqrt(method.samples))));
   method.samples = root * root;

@@ -93,7 +93,8 @@ class Planning {
     const Lean& lean = plan_.dropping.lean;
     const Predictor predictor(lean, knot_, seen, job_.tolerance);
     const Choices choices{grid_ladder(knot_, predictor),
-                          ways_to_draw(lean.view.material, lean.texture, judge.area())};
+                          ways_to_draw(lean.view.material, lean.texture, judge.area(),
+                                       shows_fronts_alone(seen, lean.view.camera.position))};
     plan_.considered = int(choices.ladder.size() * choices.ways.size());
     Workshop workshop(lean, knot_, job_.scene, judge, notebook);
     choose(choices, predictor, workshop, notebook);
@@ -190,8 +191,11 @@ std::size_t measured_choices(const fs::path& folder) {
 
 std::vector<std::string> render_arguments(const Method& method) {
   if (method.number == Number::kDouble) return {};
-  return {"--fast", "--filter", method.filter == Filter::kTrilinear ? "trilinear" : "bilinear",
-          "--multisample", std::to_string(method.samples)};
+  std::vector<std::string> arguments{"--fast", "--filter",
+                                     method.filter == Filter::kTrilinear ? "trilinear" : "bilinear",
+                                     "--multisample", std::to_string(method.samples)};
+  if (method.culls) arguments.push_back("--cull");
+  return arguments;
 }
 
 }  // namespace lumaknot

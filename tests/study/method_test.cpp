@@ -74,6 +74,7 @@ TEST(Method, what_can_t_be_drawn_is_told) {
         Method{.space = Space::kRgb, .formula = Formula::kBaked},
         Method{.space = Space::kRgb, .formula = Formula::kTable1}, Method{.samples = 3},
         Method{.number = Number::kDouble},
+        Method{.number = Number::kDouble, .filter = Filter::kBilinear, .culls = true},
         Method{.number = Number::kHalf, .filter = Filter::kBilinear, .samples = 2}}) {
     EXPECT_NE(method_shortfall(method), "") << method_name(method);
     EXPECT_THROW(MethodRenderer(method, scene), Error) << method_name(method);

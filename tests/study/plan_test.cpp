@@ -39,6 +39,7 @@ Image drawn(const Plan& plan) {
   FastOptions options;
   options.filter = arguments[2] == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   options.samples = std::stoi(arguments[4]);
+  options.cull_back_faces = arguments.size() == 6 && arguments[5] == "--cull";
   Image image;
   FastRenderer(made(spec), options).draw(image);
   return image;
@@ -136,6 +137,21 @@ TEST_F(Plans, draw_from_their_scene_the_picture_that_was_measured) {
     EXPECT_EQ(again.pixels[i].color, p.after.pixels[i].color);
     EXPECT_EQ(again.pixels[i].coverage, p.after.pixels[i].coverage);
   }
+}
+
+TEST_F(Plans, leave_out_back_faces_where_none_is_seen) {
+  const Plan p = plan(small_spec(48));
+  EXPECT_TRUE(p.chosen.method.culls);
+  EXPECT_TRUE(p.met);
+}
+
+TEST_F(Plans, keep_back_faces_where_the_eye_is_inside_the_tube) {
+  SceneSpec spec = small_spec(48);
+  spec.view.camera.position = {1.4, 0, 0};  // on the centre line, along its tangent
+  spec.view.camera.target = {1.4, 2.8, 1.2};
+  const Plan p = plan(spec, {0.05, 1});
+  EXPECT_FALSE(p.chosen.method.culls);
+  EXPECT_GT(p.chosen.judgement.covered, 48 * 48 / 2);
 }
 
 TEST_F(Plans, of_a_looser_tolerance_need_fewer_triangles) {
