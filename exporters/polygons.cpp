@@ -15,7 +15,7 @@ namespace {
 
 /// The unit vector along `v`, whatever its length; zero for zero.
 Vec3d direction(const Vec3d& v) {
-  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double most = largest_magnitude(v);
   return most > 0 ? normalize(v / most) : Vec3d{};
 }
 

@@ -21,8 +21,6 @@ struct Layer {
   double diffuse = 0, highlight = 0;  // weights
 };
 
-double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
-
 std::string plain_pigment(const Vec3d& color) {
   return fmt::format("pigment {{ {} }}", pov_color(color));
 }
@@ -87,7 +85,7 @@ std::vector<Layer> rgb_layers(const Lighting<double>& lighting, const PovHighlig
   if (is_grey(diffuse)) {
     layers[0].diffuse = diffuse.x;
   } else {
-    const double weight = largest(diffuse);
+    const double weight = largest_component(diffuse);
     layers.push_back({.pigment = tinted_pigment(texture, diffuse / weight), .diffuse = weight});
   }
   if (lighting.emissive != Vec3d{}) {
@@ -177,7 +175,7 @@ std::optional<PovHighlight> pov_highlight(const View& view, const Shot& shot) {
   if ((s.x == 0 && d.x != 0) || (s.y == 0 && d.y != 0) || (s.z == 0 && d.z != 0)) {
     return std::nullopt;
   }
-  return PovHighlight{s / largest(s), largest(s)};
+  return PovHighlight{s / largest_component(s), largest_component(s)};
 }
 
 PovTexture pov_texture(const View& view, const Texture& texture, const Shot& shot,

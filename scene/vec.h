@@ -1,6 +1,7 @@
 /// Small vectors. Right-handed frames, +Z up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -57,6 +58,13 @@ Vec3<S> normalize(const Vec3<S>& a) {
 template <class S>
 constexpr std::array<S, 3> components(const Vec3<S>& a) {
   return {a.x, a.y, a.z};
+}
+
+inline double largest_component(const Vec3d& a) { return std::max({a.x, a.y, a.z}); }
+
+/// The maximum norm.
+inline double largest_magnitude(const Vec3d& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
 
 inline bool is_finite(const Vec3d& a) {

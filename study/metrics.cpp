@@ -36,7 +36,7 @@ Differences differences(const SeenImage& truth, const SeenImage& image) {
     if (p == q) return;
     const Vec3d d = to_vec(q) - to_vec(p);
     squares[k] = dot(d, d);
-    result.channels[k] = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    result.channels[k] = largest_magnitude(d);
     result.delta_e[k] = ciede2000(truth.colors.pixels[i], image.colors.pixels[i]);
   });
   for (const double s : squares) result.squares += s;

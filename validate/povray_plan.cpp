@@ -14,8 +14,6 @@ namespace {
 /// Terms are kept in 16 bits: divided by more, their steps would show.
 constexpr double kMostBrightness = 32;
 
-double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
-
 /// A lower bound of the distance from `point` to the mesh: each triangle lies within a ball about
 /// its first corner.
 double distance_bound(const TriangleMesh& mesh, const Vec3d& point) {
@@ -108,7 +106,7 @@ double brightest_light(const TriangleMesh& mesh, const View& view, Space space) 
     const double d = light.has_position ? distance_bound(mesh, light.position) : 0;
     const double weakening =
         light.has_position ? light.constant + light.linear * d + light.quadratic * d * d : 1;
-    sum += largest(light.color) / std::max(weakening, 1e-6);  // as the formula guards it
+    sum += largest_component(light.color) / std::max(weakening, 1e-6);  // as the formula guards it
   }
   return sum;
 }

@@ -98,7 +98,7 @@ PaperClaim ones_claim(const YiqMatrices& m) {
       "alike.",
       "From the exact inverse of eq. 4's matrix, and from its rows: greys must have no I and no "
       "Q.",
-      {at_most("inverse's first column beside 1", std::max({ones.x, ones.y, ones.z}), kDigits),
+      {at_most("inverse's first column beside 1", largest_component(ones), kDigits),
        at_most("I of white", std::abs(sum_of(m.from_rgb.rows[1])), kDigits),
        at_most("Q of white", std::abs(sum_of(m.from_rgb.rows[2])), kDigits)},
       ""};

@@ -22,8 +22,6 @@ Lab<double> lab_of(const RgbaPixel& pixel) {
 
 double chroma_of(const Lab<double>& lab) { return std::hypot(lab.a, lab.b); }
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 double luma_of(const RgbaPixel& pixel) { return yiq_from_rgb<double>(displayed(pixel)).y; }
 
 /// The mean of value(i) over the marked pixels that have one.
@@ -87,7 +85,7 @@ double share_marked(const Marks& marks, const Image& image) {
 
 Change change_between(const Image& a, const Image& b, const Marks& where) {
   return summed(where, [&](std::size_t i) {
-    return largest(displayed(a.pixels[i]) - displayed(b.pixels[i]));
+    return largest_magnitude(displayed(a.pixels[i]) - displayed(b.pixels[i]));
   });
 }
 
@@ -95,7 +93,7 @@ Change change_between(const Image& a, const Image& b) { return change_between(a,
 
 Change unlimited_change(const Image& a, const Image& b) {
   return summed(covered(a), [&](std::size_t i) {
-    return largest(to_vec(a.pixels[i].color) - to_vec(b.pixels[i].color));
+    return largest_magnitude(to_vec(a.pixels[i].color) - to_vec(b.pixels[i].color));
   });
 }
 

@@ -32,8 +32,6 @@ class Colors {
   Shading shading_;
 };
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// The largest change, or that of the first points that exceed `enough`.
 double largest_change(const Lean& lean, std::span<const Fragment> points,
                       std::span<const Vec3d> colors, double enough) {
@@ -47,8 +45,8 @@ double largest_change(const Lean& lean, std::span<const Fragment> points,
                               chunk, 0.0,
                               [&](const Range& part, double worst) {
                                 for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                                  worst =
-                                      std::max(worst, largest(changed.at(points[i]) - colors[i]));
+                                  worst = std::max(
+                                      worst, largest_magnitude(changed.at(points[i]) - colors[i]));
                                 }
                                 return worst;
                               },

@@ -11,8 +11,6 @@
 namespace lumaknot {
 namespace {
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// Whether the pixels about (x, y) show one smooth piece of the surface.
 bool is_inside(const Grid<SeenPlace>& places, int x, int y) {
   const SeenPlace& own = places.at(x, y);
@@ -41,7 +39,7 @@ double largest_difference(const Image& a, const Image& b, std::span<const std::s
   double most = 0;
   for (const std::size_t i : pixels) {
     const Vec3d d = saturate(to_vec(a.pixels[i].color)) - saturate(to_vec(b.pixels[i].color));
-    most = std::max(most, largest(d));
+    most = std::max(most, largest_magnitude(d));
   }
   return most;
 }
@@ -99,7 +97,7 @@ class MeshView {
       if (!fragment.covered()) continue;
       const Vec3d color = saturate(drawn.color(fragment));
       fragment.normal = grid.exact_normal(samples_.pixels[i]);
-      most = std::max(most, largest(color - saturate(right.color(fragment))));
+      most = std::max(most, largest_magnitude(color - saturate(right.color(fragment))));
     }
     return most;
   }

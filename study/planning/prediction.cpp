@@ -17,8 +17,6 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRounding = 0x1p-24;  // of float, relative
 
-double largest(const Vec3d& c) { return std::max({c.x, c.y, c.z}); }
-
 /// The most that cos^k changes with its angle, a radian.
 double slope_of_power(double k) { return k <= 1 ? 1 : std::sqrt(k / std::numbers::e) + 0.1; }
 
@@ -76,9 +74,9 @@ Predictor::Predictor(const Lean& lean, const KnotSpec& knot, std::span<const Fra
       material_(lean.view.material),
       speed_(most_speed(spine_)),
       curvature_(sharpest_bend(spine_.curve()).curvature),
-      lights_(light_bounds(lean, seen)),
-      ambient_(lean.view.ambient * largest(lean.view.ambient_color)),
-      emissive_(largest(material_.emissive)),
+      lights_(light_bounds(lean.view, texture_bounds(lean.texture).peak, seen)),
+      ambient_(lean.view.ambient * largest_component(lean.view.ambient_color)),
+      emissive_(largest_component(material_.emissive)),
       texture_(texture_bounds(lean.texture)) {
   if (const auto* image = std::get_if<TextureImage>(&lean.texture)) {
     texels_ = {double(image->width) * knot.repeat_u, double(image->height) * knot.repeat_v};

@@ -6,6 +6,7 @@
 
 #include "meshgen/spine.h"
 #include "study/method.h"
+#include "study/planning/bounds.h"
 #include "study/planning/simplification.h"
 #include "study/planning/tolerance.h"
 

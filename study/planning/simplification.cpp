@@ -11,6 +11,7 @@
 #include "render/texture.h"
 #include "scene/fields.h"
 #include "shaders/lighting.h"
+#include "study/planning/bounds.h"
 
 namespace lumaknot {
 namespace {
@@ -21,80 +22,10 @@ std::optional<double> known(double bound) {
   return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-double largest(const Vec3d& c) { return std::max({c.x, c.y, c.z}); }
-
-/// What of a light of strength one arrives at the points that are seen, and from how far.
-struct Arrival {
-  double least = kNone, most = 0;
-  double nearest = kNone;
-};
-
-/// Of the distance and the cone alone.
-LightNumbers<double> uncolored(const View& view, std::size_t i) {
-  LightNumbers<double> light = lighting_of<double>(view, view.material).lights[i];
-  light.color = {1, 1, 1};
-  return light;
-}
-
-Arrival arrival_of(const View& view, std::size_t i, std::span<const Fragment> seen) {
-  const LightNumbers<double> light = uncolored(view, i);
-  Arrival arrival;
-  for (const Fragment& point : seen) {
-    const Vec3d way = light.has_position ? light.position - point.position : light.direction * -1.0;
-    const double part = arriving<double>(light, way, unit(way)).x;
-    arrival.least = std::min(arrival.least, part);
-    arrival.most = std::max(arrival.most, part);
-    if (light.has_position) arrival.nearest = std::min(arrival.nearest, length(way));
-  }
-  return arrival;
-}
-
-LightColor& color_of(Light& light) {
-  return std::visit([](auto& l) -> LightColor& { return l.color; }, light);
-}
-const LightColor& color_of(const Light& light) {
-  return std::visit([](const auto& l) -> const LightColor& { return l.color; }, light);
-}
-
-/// The light's strength, its largest channel.
-double strength(const Light& light) {
-  return color_of(light).intensity * largest(color_of(light).rgb);
-}
-
-/// The most that the model's terms come to for a light of strength one.
-double most_diffuse(const Material& m) {
-  if (m.model == Model::kMinnaert) return std::pow(1e-4, std::min(m.darkness - 1, 0.0));
-  if (m.model != Model::kOrenNayar) return 1;
-  const double variance = m.roughness * m.roughness;
-  return 1 - 0.5 * variance / (variance + 0.33) + 0.45 * variance / (variance + 0.09);
-}
-double most_specular(const Material& m) { return m.model == Model::kCookTorrance ? kNone : 1; }
-
-/// How a colour answers a change of light: at most so many times it. Only where brightness is
-/// linear and no rule bends the result.
-double answer(const Material& m) {
-  const bool plain = m.space == Space::kRgb || is_linear(m.space);
-  return plain && m.gamut != Gamut::kChroma ? 1 : kNone;
-}
-
-/// `peak`: the texture's largest channel.
-double diffuse_weight(const Lean& lean, double peak) {
-  const Material& m = lean.view.material;
-  return answer(m) * m.diffuse * largest(m.diffuse_color) * peak;
-}
-double specular_weight(const Lean& lean) {
-  const Material& m = lean.view.material;
-  return answer(m) * m.specular * largest(m.specular_color);
-}
-
-/// 0 times what has no bound is 0.
-double times(double weight, double value) { return weight == 0 ? 0 : weight * value; }
-
 /// The most that a colour owes to a light of strength one.
-double most_of_light(const Lean& lean, double peak) {
-  const Material& m = lean.view.material;
-  return times(diffuse_weight(lean, peak), most_diffuse(m)) +
-         times(specular_weight(lean), most_specular(m));
+double most_of_light(const Material& m, double peak) {
+  return times(diffuse_weight(m, peak), most_diffuse(m)) +
+         times(specular_weight(m), most_specular(m));
 }
 
 void leave_out(Lean& lean, std::size_t i) {
@@ -131,7 +62,7 @@ class Listing {
 
   double most_of(std::size_t i) const {
     return times(strength(lean_.view.lights[i]) * arrivals_[i].most,
-                 most_of_light(lean_, bounds_.peak));
+                 most_of_light(lean_.view.material, bounds_.peak));
   }
 
   std::string name_of(std::size_t i) const { return fmt::format("light {}", lean_.lights[i]); }
@@ -164,22 +95,24 @@ class Listing {
       add("luma offset left out", answer(m) * std::abs(m.luma_offset),
           [](Lean& lean) { lean.view.material.luma_offset = 0; });
     }
-    if (largest(m.emissive) > 0) {
-      add("emission left out", answer(m) * largest(m.emissive),
+    if (largest_component(m.emissive) > 0) {
+      add("emission left out", answer(m) * largest_component(m.emissive),
           [](Lean& lean) { lean.view.material.emissive = {}; });
     }
-    const double ambient = view.ambient * largest(view.ambient_color) * largest(m.ambient_color);
+    const double ambient =
+        view.ambient * largest_component(view.ambient_color) * largest_component(m.ambient_color);
     if (ambient > 0) {
       add("ambient light left out", answer(m) * ambient * bounds_.peak,
           [](Lean& lean) { lean.view.ambient = 0; });
     }
     if (m.diffuse > 0) {
       add("diffuse term left out",
-          sum_of_lights(diffuse_weight(lean_, bounds_.peak), most_diffuse(m)),
+          sum_of_lights(diffuse_weight(lean_.view.material, bounds_.peak), most_diffuse(m)),
           [](Lean& lean) { lean.view.material.diffuse = 0; });
     }
     if (m.specular > 0) {
-      add("highlights left out", sum_of_lights(specular_weight(lean_), most_specular(m)),
+      add("highlights left out",
+          sum_of_lights(specular_weight(lean_.view.material), most_specular(m)),
           [](Lean& lean) { lean.view.material.specular = 0; });
     }
   }
@@ -199,7 +132,8 @@ class Listing {
           [](Lean& lean) { lean.view.material.clamp = Clamp::kFree; });
     }
     if (m.highlights == Highlights::kGated) {
-      add("gate of highlights left out", sum_of_lights(specular_weight(lean_), most_specular(m)),
+      add("gate of highlights left out",
+          sum_of_lights(specular_weight(lean_.view.material), most_specular(m)),
           [](Lean& lean) { lean.view.material.highlights = Highlights::kFree; });
     }
   }
@@ -247,7 +181,7 @@ class Listing {
     const Arrival& arrival = arrivals_[i];
     const double middle = (arrival.least + arrival.most) / 2;
     const double either_way = times(strength(point) * (arrival.most - arrival.least) / 2,
-                                    most_of_light(lean_, bounds_.peak));
+                                    most_of_light(lean_.view.material, bounds_.peak));
     PointLight steady = point;
     steady.falloff = {};
     steady.color.intensity *= middle;
@@ -322,32 +256,6 @@ Lean whole(const Scene& scene) {
   Lean lean{scene.view, scene.texture, {}};
   for (std::size_t i = 0; i < scene.view.lights.size(); ++i) lean.lights.push_back(int(i) + 1);
   return lean;
-}
-
-TextureBounds texture_bounds(const Texture& texture) {
-  if (const auto* color = std::get_if<Vec3d>(&texture)) return {0, largest(*color)};
-  Rgb least{1, 1, 1}, most;
-  for (const Rgb& c : std::get<TextureImage>(texture).pixels) {
-    least = {std::min(least.r, c.r), std::min(least.g, c.g), std::min(least.b, c.b)};
-    most = {std::max(most.r, c.r), std::max(most.g, c.g), std::max(most.b, c.b)};
-  }
-  return {largest(to_vec(most) - to_vec(least)), largest(to_vec(most))};
-}
-
-std::optional<LightBounds> light_bounds(const Lean& lean, std::span<const Fragment> seen) {
-  LightBounds bounds{0, 0, kNone};
-  const double diffuse = times(diffuse_weight(lean, texture_bounds(lean.texture).peak),
-                               most_diffuse(lean.view.material));
-  const double specular = times(specular_weight(lean), most_specular(lean.view.material));
-  for (std::size_t i = 0; i < lean.view.lights.size(); ++i) {
-    const Arrival arrival = arrival_of(lean.view, i, seen);
-    const double arrives = strength(lean.view.lights[i]) * arrival.most;
-    bounds.nearest = std::min(bounds.nearest, arrival.nearest);
-    bounds.diffuse += times(arrives, diffuse);
-    bounds.specular += times(arrives, specular);
-  }
-  if (!std::isfinite(bounds.diffuse + bounds.specular)) return {};
-  return bounds;
 }
 
 std::vector<Simplification> simplifications(const Lean& lean, std::span<const Fragment> seen) {

@@ -34,21 +34,4 @@ struct Simplification {
 /// surface that the picture shows.
 std::vector<Simplification> simplifications(const Lean& lean, std::span<const Fragment> seen);
 
-/// The most that a colour owes to all lights' diffuse terms, and to their highlights.
-struct LightBounds {
-  double diffuse = 0, specular = 0;
-  double nearest =
-      0;  ///< distance of a lamp from what is seen, scene units; infinite without lamps
-};
-
-/// From the least distance of each light, its cone, the weights, the texture's largest channel and
-/// the model's largest value; none where that has no simple bound.
-std::optional<LightBounds> light_bounds(const Lean& lean, std::span<const Fragment> seen);
-
-/// The largest difference of two texels, and the largest channel of one.
-struct TextureBounds {
-  double contrast = 0, peak = 1;
-};
-TextureBounds texture_bounds(const Texture& texture);
-
 }  // namespace lumaknot

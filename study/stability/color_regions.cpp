@@ -56,7 +56,7 @@ double mean_over_cube(double light, const Material& m, F value) {
 
 bool is_outside(const Vec3d& c) {
   constexpr double kRounding = 1e-6;  // of M and W
-  return std::min({c.x, c.y, c.z}) < -kRounding || std::max({c.x, c.y, c.z}) > 1 + kRounding;
+  return std::min({c.x, c.y, c.z}) < -kRounding || largest_component(c) > 1 + kRounding;
 }
 
 /// The chroma of what the eye should see: as much as the colour has, times the light, as a surface

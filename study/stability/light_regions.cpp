@@ -65,7 +65,7 @@ Scene near_lamp(double distance, const Falloff& falloff) {
 double burnt(const Scene& scene) {
   return share_of(scene, 96, [color = color_in<double>(scene)](const Fragment& f) {
     const Vec3d c = color(f);
-    return std::max({c.x, c.y, c.z}) > 1;
+    return largest_component(c) > 1;
   });
 }
 

@@ -19,8 +19,6 @@ constexpr double kMostEnclosed = 0.01;  // of the rows
 /// Of full scale: beyond it the products of roundings, which a first-order bound leaves out, count.
 constexpr double kFirstOrder = 0.02;
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// The formula as one graph: light computed at a vertex is the same light.
 Tape tape_of(const ShaderJob& job) {
   ShaderJob pixel = job;
@@ -61,15 +59,15 @@ class Judge {
  private:
   void add(std::size_t row, const Vec3d& found) {
     const Vec3d expected = expected_color(job_, rows_, row);
-    const double scale = std::max(1.0, largest(expected));
+    const double scale = std::max(1.0, largest_magnitude(expected));
     const Vec3d error = found - expected;
-    const double relative = is_finite(found) ? largest(error) / scale : INFINITY;
+    const double relative = is_finite(found) ? largest_magnitude(error) / scale : INFINITY;
     if (relative <= tolerance_) return note(verdict_.largest_error, relative);
     ++beyond_;
     const rounding::Inputs inputs = inputs_of(rows_, row);
     const Vec3d bound = rounding::rounding_bound<Errors>(tape_, rounding::values_of(tape_, inputs));
-    if (is_within(error, bound) && largest(bound) <= kFirstOrder * scale) {
-      note(verdict_.largest_bound, largest(bound) / scale);
+    if (is_within(error, bound) && largest_magnitude(bound) <= kFirstOrder * scale) {
+      note(verdict_.largest_bound, largest_magnitude(bound) / scale);
       return note(verdict_.largest_error, relative);
     }
     const Box box = enclosure<Errors>(tape_, inputs);

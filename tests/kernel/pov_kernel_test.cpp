@@ -110,7 +110,7 @@ double largest_error(const ShaderJob& job, const std::vector<PovInput>& inputs) 
     if (!is_finite(colors[i])) return std::numeric_limits<double>::infinity();
     const Vec3d mine = expected(job, {inputs, i});
     const Vec3d apart = colors[i] - mine;
-    const double error = std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)});
+    const double error = largest_magnitude(apart);
     largest = std::max(largest, error / std::max(1.0, length(mine)));
   }
   return largest;

@@ -48,8 +48,8 @@ TEST(Atd95, has_the_responses_of_fairchild_s_worked_examples) {
   for (const Example& e : kExamples) {
     const Atd95Model model = atd95_model({.white = e.white, .white_luminance = e.white_luminance});
     const Vec3d found = final_responses(e.xyz, model);
-    EXPECT_LT(largest(found - e.printed), 5e-5);      // half a last decimal
-    EXPECT_LT(largest(found - e.computed), 5.1e-13);  // twelve digits
+    EXPECT_LT(largest_magnitude(found - e.printed), 5e-5);      // half a last decimal
+    EXPECT_LT(largest_magnitude(found - e.computed), 5.1e-13);  // twelve digits
   }
 }
 
@@ -57,7 +57,7 @@ TEST(Atd95, comes_back_from_the_responses) {
   for (const Example& e : kExamples) {
     const Atd95Model model = atd95_model({.white = e.white, .white_luminance = e.white_luminance});
     const Vec3d back = xyz_from_atd95(atd95_from_xyz<double>(e.xyz, model), model);
-    EXPECT_LT(largest(back - e.xyz), 1e-14);
+    EXPECT_LT(largest_magnitude(back - e.xyz), 1e-14);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(Atd95, shading_space_has_the_responses_of_the_colour_library) {
       {{1, 1, 1}, {0.348979201, 0.0678406906, 0.0256824983}}};
   for (const auto& [rgb, expected] : samples) {
     const Vec3d found = final_responses(xyz_from_rgb<double>(rgb), atd95_shading_model());
-    EXPECT_LT(largest(found - expected), 5.1e-10);
+    EXPECT_LT(largest_magnitude(found - expected), 5.1e-10);
   }
 }
 
@@ -117,9 +117,9 @@ TEST(Atd95, t_and_d_as_guth_has_them_would_tint_a_lit_grey) {
   r.a = atd95_of_brightness(0.9, model);
   const Vec3d tinted = rgb_from_xyz<double>(xyz_from_atd95(r, model));
   const Vec3d documented{0.590, 0.958, 0.705};  // a clear green; three decimals
-  EXPECT_LT(largest(tinted - documented), 5e-4);
+  EXPECT_LT(largest_magnitude(tinted - documented), 5e-4);
   const Vec3d lit = rgb_from_axes(Axes<double>{0.9, 0, 0}, Space::kAtd95);
-  EXPECT_LT(largest(lit - grey(lit.x)), 1e-14);
+  EXPECT_LT(largest_magnitude(lit - grey(lit.x)), 1e-14);
 }
 
 }  // namespace

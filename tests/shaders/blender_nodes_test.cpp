@@ -36,7 +36,8 @@ TEST(BlenderNodes, compute_what_the_double_instance_computes) {
           stage_color(point, texture_value(texture, shot.material), lighting, shot);
       const Vec3d found = run_blender_nodes(shader, surface_inputs(point, texture, shot.material));
       // The same operations; ln x / ln e rounds once more, times a chroma of 40 in DIN99.
-      ASSERT_LT(largest(found - expected), 1e-13 * std::max(1.0, largest(expected)))
+      ASSERT_LT(largest_magnitude(found - expected),
+                1e-13 * std::max(1.0, largest_magnitude(expected)))
           << view.name << ": " << shot.name;
     }
   }

@@ -37,11 +37,6 @@ Vec3<S> narrowed(const Vec3d& v) {
 inline Vec3d widened(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
 inline Vec3d widened(const Vec3d& v) { return v; }
 
-/// The largest component of a vector without its signs.
-inline double largest(const Vec3d& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 /// `rgb` after light that multiplies its brightness and adds a highlight.
 template <class S>
 Vec3<S> with_light(const Vec3<S>& rgb, S light, S highlight, Space space) {

@@ -27,7 +27,7 @@ double round_trip_error(Space space) {
   double error = 0;
   for (const Vec3d& color : color_cube(33)) {
     const Vec3<S> back = rgb_from_axes(axes_from_rgb<S>(narrowed<S>(color), space), space);
-    error = std::max(error, largest(widened(back) - widened(narrowed<S>(color))));
+    error = std::max(error, largest_magnitude(widened(back) - widened(narrowed<S>(color))));
   }
   return error;
 }
@@ -50,7 +50,7 @@ TEST(ColorSpace, every_shade_of_grey_survives_the_round_trip_where_the_curves_ch
     for (int i = 0; i <= 4096; ++i) {
       const double shade = i / 4096.0;
       const Vec3d back = rgb_from_axes(axes_from_rgb<double>(grey(shade), space), space);
-      ASSERT_LT(largest(back - grey(shade)), kRoundTrip.at(space).in_double)
+      ASSERT_LT(largest_magnitude(back - grey(shade)), kRoundTrip.at(space).in_double)
           << name_of(space) << " " << shade;
     }
   }
@@ -103,7 +103,7 @@ TEST(ColorSpace, light_leaves_grey_grey_and_neutral_of_says_which) {
     for (const double brightness : {-0.2, 0.0, 0.001, 0.08, 0.3, 0.7, 1.0, 1.5, 4.0}) {
       const Vec3d rgb = rgb_from_axes(Axes<double>{brightness, 0, 0}, space);
       const Vec3d expected = grey(neutral_of(brightness, space));
-      EXPECT_LT(largest(rgb - expected), 1e-14) << name_of(space) << " " << brightness;
+      EXPECT_LT(largest_magnitude(rgb - expected), 1e-14) << name_of(space) << " " << brightness;
     }
   }
 }
@@ -124,7 +124,7 @@ TEST(ColorSpace, light_changes_the_brightness_and_leaves_the_chroma) {
     for (const Vec3d& color : color_cube(9)) {
       const Axes<double> before = axes_from_rgb<double>(color, space);
       const Vec3d lit = with_light(color, 0.9, 0.02, space);
-      if (largest(lit - saturate(lit)) > 0) continue;  // no colour of the cube
+      if (largest_magnitude(lit - saturate(lit)) > 0) continue;  // no colour of the cube
       const Axes<double> after = axes_from_rgb<double>(lit, space);
       ASSERT_NEAR(after.brightness, before.brightness * 0.9 + 0.02, tolerance) << name_of(space);
       ASSERT_NEAR(after.c1, before.c1, tolerance) << name_of(space);
@@ -184,7 +184,7 @@ TEST(ColorSpace, linear_spaces_are_those_where_light_moves_every_channel_alike) 
   for (const Space space : kLumaSpaces) {
     const Axes<double> axes = axes_from_rgb<double>(color, space);
     const Vec3d moved = rgb_from_axes(Axes<double>{axes.brightness + 0.1, axes.c1, axes.c2}, space);
-    const double unequal = largest((moved - color) - grey(0.1));
+    const double unequal = largest_magnitude((moved - color) - grey(0.1));
     EXPECT_EQ(unequal < 1e-7, is_linear(space)) << name_of(space);  // YIQ's printed digits
   }
 }

@@ -30,10 +30,10 @@ TEST(Din99, has_the_published_sample_values) {
                                                    {{0, 0, 0}, {0, 0, 0}},
                                                    {{100, 0, 0}, {100, 0, 0}}};
   for (const auto& [lab, expected] : samples) {
-    EXPECT_LT(largest(din99(lab) - expected), kTwoDecimals);
+    EXPECT_LT(largest_magnitude(din99(lab) - expected), kTwoDecimals);
     const Vec3d back = lab_of(expected) - Vec3d{lab.lightness, lab.a, lab.b};
     // Two decimals grow by d chroma / d chroma99 = 1 + 0.045 G, up to 4, and 1 / 0.7.
-    EXPECT_LT(largest(back), kTwoDecimals * 4 / 0.7);
+    EXPECT_LT(largest_magnitude(back), kTwoDecimals * 4 / 0.7);
   }
 }
 
@@ -46,8 +46,9 @@ TEST(Din99, of_the_colour_library_s_manual) {
       {{29.80565520, 20.01830466, -48.34913874}, {40.71533366, 3.48714163, -21.45321411}}};
   for (const auto& [lab, astm] : samples) {
     const Vec3d expected{astm.x * 105.51 / 105.509, astm.y, astm.z};
-    EXPECT_LT(largest(din99(lab) - expected), 5.1e-9);
-    EXPECT_LT(largest(lab_of(expected) - Vec3d{lab.lightness, lab.a, lab.b}), 5e-8);  // as above
+    EXPECT_LT(largest_magnitude(din99(lab) - expected), 5.1e-9);
+    EXPECT_LT(largest_magnitude(lab_of(expected) - Vec3d{lab.lightness, lab.a, lab.b}),
+              5e-8);  // as above
   }
 }
 
@@ -74,7 +75,7 @@ TEST(Din99, light_leaves_a_and_b_of_cielab_alone) {
     const double lit = 0.6 * din99_lightness(lab.lightness) + 0.1 * kDin99White;
     lab.lightness = lightness_of_din99(lit);
     const Vec3d expected = rgb_from_xyz<double>(xyz_from_lab(lab));
-    ASSERT_LT(largest(with_light(color, 0.6, 0.1, Space::kDin99) - expected), 1e-13);
+    ASSERT_LT(largest_magnitude(with_light(color, 0.6, 0.1, Space::kDin99) - expected), 1e-13);
   }
 }
 

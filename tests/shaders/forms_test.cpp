@@ -32,9 +32,10 @@ TEST(Forms, of_the_linear_spaces_compute_one_colour) {
       m.space = space;
       const Vec3d matrices = lit(texture, terms, m);
       m.form = Form::kBaked;
-      ASSERT_LT(largest(lit(texture, terms, m) - matrices), 1e-15);  // the same operations
+      ASSERT_LT(largest_magnitude(lit(texture, terms, m) - matrices),
+                1e-15);  // the same operations
       m.form = Form::kCollapsed;
-      ASSERT_LT(largest(lit(texture, terms, m) - matrices), tolerance) << name_of(space);
+      ASSERT_LT(largest_magnitude(lit(texture, terms, m) - matrices), tolerance) << name_of(space);
     }
   }
 }
@@ -52,7 +53,7 @@ TEST(Forms, of_every_space_scale_and_shift_the_brightness_alone) {
       Axes<double> axes = axes_from_rgb<double>(texture, space);
       axes.brightness = axes.brightness * (0.25 + terms.diffuse.x) + terms.specular.x;
       // The same operations in the same order.
-      ASSERT_LT(largest(lit(texture, terms, m, view) - rgb_from_axes(axes, space)), 1e-15)
+      ASSERT_LT(largest_magnitude(lit(texture, terms, m, view) - rgb_from_axes(axes, space)), 1e-15)
           << name_of(space);
     }
   }
@@ -88,7 +89,7 @@ TEST(Gamut, chroma_leaves_colours_of_the_cube_and_brings_in_the_others) {
       ASSERT_EQ(reduced, saturate(reduced)) << formula;
       // A colour of the cube is taken apart into grey and chroma, and put together: rounding.
       if (free != saturate(free)) continue;
-      ASSERT_LT(largest(reduced - free), 1e-14) << formula;
+      ASSERT_LT(largest_magnitude(reduced - free), 1e-14) << formula;
     }
   }
 }
@@ -139,7 +140,7 @@ TEST(Colours, emission_adds_brightness_without_light) {
   View view;
   view.ambient = 0;
   const Vec3d f = lit({0.5, 0.5, 0.5}, {{}, {}}, m, view);
-  EXPECT_LT(largest(f - grey(0.7152)), 1e-15);
+  EXPECT_LT(largest_magnitude(f - grey(0.7152)), 1e-15);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Directional, shines_along_its_direction_everywhere_alike) {
 TEST(Directional, is_a_point_light_far_away) {
   const Vec3d direction = normalize(Vec3d{-0.5, 1, -2});
   const Vec3d far = diffuse_of(PointLight{direction * -1e9, {}, {}});
-  EXPECT_LT(largest(diffuse_of(DirectionalLight{direction, {}}) - far), 1e-9);
+  EXPECT_LT(largest_magnitude(diffuse_of(DirectionalLight{direction, {}}) - far), 1e-9);
 }
 
 /// A spot one unit from the origin, its axis `degrees` away from the line to it; straight above,
@@ -148,19 +148,19 @@ TEST(LightColour, is_its_relative_brightness_in_a_space_of_brightness) {
   Material m;
   m.space = Space::kYuv709;
   const double luma = 0.2126 * 0.5 + 0.7152 * 0.25 + 0.0722 * 1;
-  EXPECT_LT(largest(diffuse_of(light, m) - grey(3 * luma)), kRounding);
+  EXPECT_LT(largest_magnitude(diffuse_of(light, m) - grey(3 * luma)), kRounding);
   m.space = Space::kYiq;  // the paper's weights add up to 1 + 1e-8, white's brightness
   const double y = 0.29889531 * 0.5 + 0.58662247 * 0.25 + 0.11448223 * 1;
-  EXPECT_LT(largest(diffuse_of(light, m) - grey(3 * y)), 1e-7);
+  EXPECT_LT(largest_magnitude(diffuse_of(light, m) - grey(3 * y)), 1e-7);
 }
 
 TEST(LightColour, of_grey_light_weakens_alike_in_the_linear_spaces) {
   for (const Space space : {Space::kRgb, Space::kYiq, Space::kYuv601, Space::kYuv709}) {
     Material m;
     m.space = space;
-    EXPECT_LT(
-        largest(diffuse_of(DirectionalLight{{0, 0, -1}, {{0.5, 0.5, 0.5}, 1}}, m) - grey(0.5)),
-        kRounding)
+    EXPECT_LT(largest_magnitude(diffuse_of(DirectionalLight{{0, 0, -1}, {{0.5, 0.5, 0.5}, 1}}, m) -
+                                grey(0.5)),
+              kRounding)
         << name_of(space);
   }
 }

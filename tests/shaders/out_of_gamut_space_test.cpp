@@ -5,7 +5,7 @@
 namespace lumaknot {
 namespace {
 
-bool in_gamut(const Vec3d& rgb) { return largest(rgb - saturate(rgb)) == 0; }
+bool in_gamut(const Vec3d& rgb) { return largest_magnitude(rgb - saturate(rgb)) == 0; }
 
 /// A colour that light has made, and the grey of its brightness.
 struct Lit {
@@ -44,7 +44,8 @@ TEST(ReduceChroma, leaves_the_colours_of_the_cube_as_they_are) {
     for (const Vec3d& color : color_cube(17)) {
       const double neutral = neutral_of(brightness_of<double>(color, space), space);
       const Vec3d reduced = reduce_chroma<double>(color, neutral);
-      ASSERT_LT(largest(reduced - color), 1e-15) << name_of(space);  // grey + (colour - grey)
+      ASSERT_LT(largest_magnitude(reduced - color), 1e-15)
+          << name_of(space);  // grey + (colour - grey)
     }
   }
 }
@@ -54,7 +55,7 @@ TEST(ReduceChroma, of_a_reduced_colour_is_the_colour) {
     for (const Lit& lit : lit_colors(space)) {
       const Vec3d once = reduce_chroma<double>(lit.rgb, lit.neutral);
       const Vec3d twice = reduce_chroma<double>(once, lit.neutral);
-      ASSERT_LT(largest(twice - once), 1e-15) << name_of(space);  // rounding
+      ASSERT_LT(largest_magnitude(twice - once), 1e-15) << name_of(space);  // rounding
     }
   }
 }
@@ -68,11 +69,11 @@ TEST(ReduceChroma, keeps_the_hue_angle) {
       if (g < 1e-6 || g > 1 - 1e-6) {
         // Black or white, without hue. The guard of 1 / 0, for the channel that is farthest out; a
         // channel of lesser weight in the brightness (blue: 0.0722) is up to 13 times as far.
-        ASSERT_LT(largest(to), 1.3e-5) << name_of(space);
+        ASSERT_LT(largest_magnitude(to), 1.3e-5) << name_of(space);
         continue;
       }
-      const double scale = 1 + largest(from);
-      ASSERT_LT(largest(cross(from, to)), 1e-15 * scale) << name_of(space);  // rounding
+      const double scale = 1 + largest_magnitude(from);
+      ASSERT_LT(largest_magnitude(cross(from, to)), 1e-15 * scale) << name_of(space);  // rounding
       ASSERT_GE(dot(from, to), 0) << name_of(space);
     }
   }
@@ -92,9 +93,10 @@ TEST(ReduceChroma, keeps_as_much_chroma_as_fits) {
 
 TEST(ReduceChroma, makes_white_of_brightness_beyond_white_and_black_of_none) {
   for (const Vec3d& color : {Vec3d{3, 1.2, 0.4}, Vec3d{1.2, 1.2, 1.2}}) {
-    EXPECT_LT(largest(reduce_chroma(color, 1.4) - grey(1.0)), 1.3e-5);  // the guard of 1 / 0
+    EXPECT_LT(largest_magnitude(reduce_chroma(color, 1.4) - grey(1.0)),
+              1.3e-5);  // the guard of 1 / 0
   }
-  EXPECT_LT(largest(reduce_chroma(Vec3d{0.3, -0.2, -0.4}, -0.1)), 1.3e-5);
+  EXPECT_LT(largest_magnitude(reduce_chroma(Vec3d{0.3, -0.2, -0.4}, -0.1)), 1.3e-5);
 }
 
 TEST(ReduceChroma, keeps_the_luma_of_the_linear_spaces) {
@@ -136,7 +138,7 @@ double share_out_of_gamut(Space space, double light) {
   const std::vector<Vec3d> colors = color_cube(17);
   const auto out = std::ranges::count_if(colors, [&](const Vec3d& color) {
     const Vec3d lit = with_light(color, light, 0.0, space);
-    return largest(lit - saturate(lit)) > 1e-6;  // YIQ's printed digits
+    return largest_magnitude(lit - saturate(lit)) > 1e-6;  // YIQ's printed digits
   });
   return double(out) / double(colors.size());
 }

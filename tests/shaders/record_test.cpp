@@ -22,7 +22,7 @@ void for_each_view_and_shot(F check) {
 
 /// The largest difference between the components, of full scale or of the larger component.
 double apart(const Vec3d& a, const Vec3d& b) {
-  return largest(a - b) / std::max({1.0, largest(a), largest(b)});
+  return largest_magnitude(a - b) / std::max({1.0, largest_magnitude(a), largest_magnitude(b)});
 }
 
 // The same operations in the same order; the C library's pow, log and exp may be other versions

@@ -50,9 +50,9 @@ TEST(SinglePrecision, of_every_formula_stays_within_the_bound_of_its_steps) {
         const Vec3d bound = rounding::rounding_bound<rounding::LibraryErrors>(tape, values);
         // 1e-7: second order, and the sRGB curve's pieces that meet within 3e-8.
         const Vec3d over = error - bound * 1.01;
-        ASSERT_LT(std::max({over.x, over.y, over.z}), 1e-7) << view.name << ": " << shot.name;
-        const double scale = std::max(1.0, largest(values.back()));
-        largest_error = std::max(largest_error, largest(error) / scale);
+        ASSERT_LT(largest_component(over), 1e-7) << view.name << ": " << shot.name;
+        const double scale = std::max(1.0, largest_magnitude(values.back()));
+        largest_error = std::max(largest_error, largest_magnitude(error) / scale);
       }
     }
   }

@@ -64,11 +64,12 @@ Errors errors_of(Space space) {
     const Vec3d error = visible(absolute(single - exact), exact);
     const Vec3d over = error - library;
     // 1e-7: second order, and the sRGB curve's pieces that meet within 3e-8.
-    EXPECT_LT(std::max({over.x, over.y, over.z}), 1e-7)
+    EXPECT_LT(largest_component(over), 1e-7)
         << name_of(space) << " " << color.x << " " << color.y << " " << color.z << " " << l.light;
-    result.measured = std::max(result.measured, largest(error));
-    result.library_bound = std::max(result.library_bound, largest(visible(library, exact)));
-    result.vulkan_bound = std::max(result.vulkan_bound, largest(visible(vulkan, exact)));
+    result.measured = std::max(result.measured, largest_magnitude(error));
+    result.library_bound =
+        std::max(result.library_bound, largest_magnitude(visible(library, exact)));
+    result.vulkan_bound = std::max(result.vulkan_bound, largest_magnitude(visible(vulkan, exact)));
   });
   return result;
 }
@@ -99,7 +100,8 @@ TEST(RecordedSpace, computes_what_the_template_computes) {
     for (const Vec3d& color : color_cube(5)) {
       const Vec3d found = values_of(tape, inputs(color, {0.75, 0.125})).back();
       // The recorder leaves out products with 1 and sums with 0, nothing else.
-      ASSERT_LT(largest(found - with_light(color, 0.75, 0.125, space)), 1e-14) << name_of(space);
+      ASSERT_LT(largest_magnitude(found - with_light(color, 0.75, 0.125, space)), 1e-14)
+          << name_of(space);
     }
   }
 }
@@ -119,7 +121,7 @@ TEST(RecordedSpace, out_of_gamut_rule_is_recorded_as_it_computes) {
   for (const Vec3d& color : color_cube(5)) {
     const Vec3d wide = color * 3.0 - grey(1.0);
     const Vec3d found = values_of(tape, {{"texture", wide}, {"grey", {0.4, 0, 0}}}).back();
-    ASSERT_LT(largest(found - reduce_chroma(wide, 0.4)), 1e-15);
+    ASSERT_LT(largest_magnitude(found - reduce_chroma(wide, 0.4)), 1e-15);
   }
 }
 

@@ -21,7 +21,7 @@ TEST(StageColor, shows_the_texture_whatever_the_material) {
     const Vec3d shown = stage_color(random.point(), texture_value(texture, m),
                                     lighting_of<double>(random.view(), m), shot);
     // Baked, it comes back from the axes: M and W are inverse to 1e-7.
-    EXPECT_LE(largest(shown - texture), m.form == Form::kBaked ? 1e-7 : 0) << shot.name;
+    EXPECT_LE(largest_magnitude(shown - texture), m.form == Form::kBaked ? 1e-7 : 0) << shot.name;
   }
 }
 
@@ -36,9 +36,9 @@ TEST(StageColor, shows_the_terms_of_white_light_as_greys_without_their_weights) 
     const Vec3d color = stage_color<double>({{0, 0, 0}, {0, 0, 1}}, {0.9, 0.1, 0.2},
                                             lighting_of<double>(view, shot.material), shot);
     if (shot.stage == Stage::kDiffuse) {
-      EXPECT_LT(largest(color - grey(0.8)), kRounding);
+      EXPECT_LT(largest_magnitude(color - grey(0.8)), kRounding);
     } else if (shot.stage == Stage::kSpecular) {
-      EXPECT_LT(largest(color - grey(0.64)), kRounding);
+      EXPECT_LT(largest_magnitude(color - grey(0.64)), kRounding);
     }
   }
 }
@@ -121,9 +121,9 @@ TEST(LightingOf, takes_the_brightness_of_colours_in_a_space_of_brightness) {
   m.diffuse = 3;
   m.diffuse_color = {0, 0, 1};
   const auto l = lighting_of<double>(view, m);
-  EXPECT_LT(largest(l.ambient - grey(0.5 * 0.299)), kRounding);
-  EXPECT_LT(largest(l.diffuse - grey(3 * 0.114)), kRounding);
-  EXPECT_LT(largest(l.lights[0].color - grey(2 * 0.587)), kRounding);
+  EXPECT_LT(largest_magnitude(l.ambient - grey(0.5 * 0.299)), kRounding);
+  EXPECT_LT(largest_magnitude(l.diffuse - grey(3 * 0.114)), kRounding);
+  EXPECT_LT(largest_magnitude(l.lights[0].color - grey(2 * 0.587)), kRounding);
 }
 
 TEST(LightingOf, makes_directions_unit_and_cones_cosines) {
@@ -131,7 +131,7 @@ TEST(LightingOf, makes_directions_unit_and_cones_cosines) {
   view.lights = {SpotLight{{1, 2, 3}, {0, 3, -4}, 60, 90, {}, {}}, DirectionalLight{{0, 0, 5}, {}}};
   const auto l = lighting_of<double>(view, Material{});
   EXPECT_TRUE(l.lights[0].has_position && l.lights[0].has_cone);
-  EXPECT_LT(largest(l.lights[0].direction - Vec3d{0, 0.6, -0.8}), kRounding);
+  EXPECT_LT(largest_magnitude(l.lights[0].direction - Vec3d{0, 0.6, -0.8}), kRounding);
   EXPECT_NEAR(l.lights[0].cos_outer, 0, kRounding);
   EXPECT_NEAR(l.lights[0].cone_scale, 2, kRounding);
   EXPECT_FALSE(l.lights[1].has_position || l.lights[1].has_cone);

@@ -61,8 +61,8 @@ TEST(Yuv601, is_the_published_matrix) {
 TEST(Yuv601, comes_back_by_the_published_matrix) {
   const Vec3d from_u = rgb_from_yuv(Yuv<double>{0, 1, 0}, kWeights601);
   const Vec3d from_v = rgb_from_yuv(Yuv<double>{0, 0, 1}, kWeights601);
-  EXPECT_LT(largest(from_u - Vec3d{0, -0.39465, 2.03211}), kFiveDecimals);
-  EXPECT_LT(largest(from_v - Vec3d{1.13983, -0.58060, 0}), kFiveDecimals);
+  EXPECT_LT(largest_magnitude(from_u - Vec3d{0, -0.39465, 2.03211}), kFiveDecimals);
+  EXPECT_LT(largest_magnitude(from_v - Vec3d{1.13983, -0.58060, 0}), kFiveDecimals);
 }
 
 TEST(Yuv709, comes_back_by_the_numbers_of_bt_709) {
@@ -87,7 +87,7 @@ TEST(Yuv, the_scale_of_the_chroma_changes_no_lit_colour) {
   for (const Vec3d& color : color_cube(5)) {
     Yuv<double> a = yuv601(color), b = yuv_from_rgb<double>(color, other);
     a.y = b.y = a.y * 0.6 + 0.2;
-    ASSERT_LT(largest(rgb_from_yuv(a, kWeights601) - rgb_from_yuv(b, other)), 1e-15);
+    ASSERT_LT(largest_magnitude(rgb_from_yuv(a, kWeights601) - rgb_from_yuv(b, other)), 1e-15);
   }
 }
 
