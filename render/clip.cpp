@@ -120,18 +120,27 @@ void clip_triangle(FrameData& data, std::uint32_t index, std::span<const Plane> 
 
 }  // namespace
 
-const Clipped* find_clipped(const FrameData& data, std::uint32_t triangle) {
-  const auto at = std::ranges::lower_bound(data.clipped, triangle, {}, &Clipped::triangle);
-  return at == data.clipped.end() || at->triangle != triangle ? nullptr : &*at;
+const Clipped* find_clipped(const FrameData& data, std::uint32_t first, std::uint32_t last) {
+  const auto at = std::ranges::lower_bound(data.clipped, first, {}, &Clipped::triangle);
+  return at == data.clipped.end() || at->triangle >= last ? nullptr : &*at;
 }
 
-void clip_triangles(FrameData& data) {
-  const std::array<Plane, 5> planes = planes_of(data);
-  for (std::uint32_t t = 0; t < data.triangle_count; ++t) {
-    const auto outside = [&](std::uint32_t v) { return data.points[v].x == kOutside; };
-    const auto [a, b, c, unused] = data.triangles[t];
-    if (outside(a) || outside(b) || outside(c)) clip_triangle(data, t, planes);
+void find_cut(const FrameData& data, Run& run) {
+  run.cut.clear();
+  for (std::uint32_t t = run.first; t < run.last; ++t) {
+    bool any_outside = false, all_behind = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SnappedPoint& point = data.points[data.triangles[t][i]];
+      any_outside |= point.x == kOutside;
+      all_behind &= point.x == kOutside && point.y == kBehind;
+    }
+    if (any_outside && !all_behind) run.cut.push_back(t);
   }
+}
+
+void clip_triangles(FrameData& data, std::span<const std::uint32_t> triangles) {
+  const std::array<Plane, 5> planes = planes_of(data);
+  for (const std::uint32_t t : triangles) clip_triangle(data, t, planes);
 }
 
 }  // namespace lumaknot

@@ -5,8 +5,11 @@
 
 namespace lumaknot {
 
-/// Cuts each triangle with a corner outside at the near plane and the guard, and appends its pieces
-/// to `data`, behind the mesh's own. Their vertices have what is interpolated between its corners.
-void clip_triangles(FrameData& data);
+/// Finds the run's triangles with a corner outside, but those behind the near plane: `run.cut`.
+void find_cut(const FrameData& data, Run& run);
+
+/// Cuts `triangles` at the near plane and the guard, and appends their pieces to `data`, behind the
+/// mesh's own. Their vertices have what is interpolated between the corners.
+void clip_triangles(FrameData& data, std::span<const std::uint32_t> triangles);
 
 }  // namespace lumaknot

@@ -7,6 +7,7 @@
 
 #include "render/clip.h"
 #include "render/crew.h"
+#include "render/frame_scene.h"
 #include "render/kernel.h"
 #include "scene/error.h"
 
@@ -16,8 +17,6 @@ namespace {
 constexpr int kLargestSide = 256 * kTile;
 constexpr std::size_t kMostTriangles = std::size_t(1) << 28, kMostVertices = kMostTriangles;
 constexpr std::size_t kVertexBatch = 2048;  // handed to a thread at once
-constexpr std::size_t kShortestRun = 1024, kMostRuns = 64;
-constexpr std::size_t kPadding = 16;  // what a packet may reach behind the last
 
 void check(const Scene& scene, const FastOptions& options) {
   const ImageSpec& image = scene.view.image;
@@ -43,103 +42,6 @@ void check(const Scene& scene, const FastOptions& options) {
                     kMostTriangles, scene.mesh.triangles.size(), scene.mesh.positions.size()));
   }
   if (options.level > best_simd_level()) throw Error("this processor has no such instructions");
-}
-
-/// Lengths that single precision holds wherever a scene lies and however large it is: from the eye,
-/// in the power of two that is nearest to the target's distance, so that nothing is rounded.
-class EyeLengths {
- public:
-  explicit EyeLengths(const Camera& camera)
-      : eye_(camera.position),
-        scale_(std::exp2(-std::round(std::log2(length(camera.target - camera.position))))) {}
-
-  Vec3d operator()(const Vec3d& position) const { return (position - eye_) * scale_; }
-
-  Camera operator()(Camera camera) const {
-    camera.target = (*this)(camera.target);
-    camera.position = {};
-    return camera;
-  }
-
-  Lighting<double> operator()(Lighting<double> lighting) const {
-    lighting.eye_position = {};
-    for (LightNumbers<double>& light : lighting.lights) {
-      light.position = (*this)(light.position);
-      light.linear /= scale_;
-      light.quadratic /= scale_ * scale_;
-    }
-    return lighting;
-  }
-
- private:
-  Vec3d eye_;
-  double scale_;
-};
-
-void copy_mesh(FrameData& data, const TriangleMesh& mesh, const EyeLengths& lengths) {
-  const std::size_t count = mesh.positions.size();
-  data.vertex_count = count;
-  data.triangle_count = mesh.triangles.size();
-  for (Bulk<double>* axis : {&data.xs, &data.ys, &data.zs}) axis->assign(count + kPadding, 0);
-  data.records.resize(count);
-  data.points.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d p = lengths(mesh.positions[i]), &n = mesh.normals[i];
-    data.xs[i] = p.x, data.ys[i] = p.y, data.zs[i] = p.z;
-    data.records[i] = {0,
-                       0,
-                       0,
-                       {float(n.x), float(n.y), float(n.z)},
-                       {float(mesh.uvs[i].u), float(mesh.uvs[i].v)}};
-  }
-  for (std::size_t i = count; i < count + kPadding && count > 0; ++i) {
-    data.xs[i] = data.xs[count - 1], data.ys[i] = data.ys[count - 1],
-    data.zs[i] = data.zs[count - 1];
-  }
-  data.triangles.resize(mesh.triangles.size());
-  std::ranges::transform(mesh.triangles, data.triangles.begin(), [](const Triangle& t) {
-    return std::array<std::uint32_t, 4>{t[0], t[1], t[2], 0};
-  });
-}
-
-std::vector<Run> runs_of(std::size_t triangles) {
-  const std::size_t length = std::max(kShortestRun, (triangles + kMostRuns - 1) / kMostRuns);
-  std::vector<Run> runs;
-  for (std::size_t first = 0; first < triangles; first += length) {
-    Run run;
-    run.first = std::uint32_t(first);
-    run.last = std::uint32_t(std::min(first + length, triangles));
-    runs.push_back(std::move(run));
-  }
-  return runs;
-}
-
-FrameData frame_data(const Scene& scene, const FastOptions& options) {
-  FrameData data;
-  const EyeLengths lengths(scene.view.camera);
-  const Camera camera = lengths(scene.view.camera);
-  data.width = scene.view.image.width;
-  data.height = scene.view.image.height;
-  data.columns = (data.width + kTile - 1) / kTile;
-  data.rows = (data.height + kTile - 1) / kTile;
-  data.options = options;
-  data.pattern = sample_pattern(options.samples);
-  data.projection = Projection(camera, data.width, data.height);
-  const auto ray = [&](double x, double y) {
-    return data.projection.to_world(data.projection.ray(x, y));
-  };
-  data.corner_ray = ray(0, 0);
-  data.ray_x = ray(1, 0) - data.corner_ray;
-  data.ray_y = ray(0, 1) - data.corner_ray;
-  data.near = near_depth(camera);
-  data.shot = {"final", Stage::kFinal, scene.view.material};
-  data.lighting = lengths(lighting_of<double>(scene.view, scene.view.material));
-  copy_mesh(data, scene.mesh, lengths);
-  data.runs = runs_of(data.triangle_count);
-  if (scene.view.material.rate == Rate::kVertex) data.terms.resize(data.vertex_count);
-  data.texture = make_mipmap(scene.texture, scene.view.material, options.wrapping,
-                             options.filter == Filter::kTrilinear);
-  return data;
 }
 
 TileMemory tile_memory(std::size_t samples) {
@@ -232,17 +134,20 @@ class FastRenderer::Frame {
     data_.clipped.clear();
     all_inside_ = true;
     crew_.run(int((data_.vertex_count + kVertexBatch - 1) / kVertexBatch), transform_);
-    if (!all_inside_) clip_triangles(data_);
-    // A run's candidates are its triangles, or the pieces of those that were clipped.
+    if (!all_inside_) crew_.run(int(data_.runs.size()), find_cut_);
     for (Run& run : data_.runs) {
-      std::size_t most = run.last - run.first;
-      for (const Clipped& c : data_.clipped) {
-        most += c.triangle >= run.first && c.triangle < run.last ? c.count : 0;
-      }
-      if (run.candidates.size() >= most + kPadding) continue;
-      run.candidates.resize(most + kPadding);
-      run.tiles.resize(most + kPadding);
+      const std::size_t before = data_.triangles.size();
+      if (!all_inside_) clip_triangles(data_, run.cut);
+      make_room(run, data_.triangles.size() - before);
     }
+  }
+
+  /// A run's candidates are its triangles, or the pieces of those that were clipped.
+  static void make_room(Run& run, std::size_t pieces) {
+    const std::size_t most = run.last - run.first + pieces + kPadding;
+    if (run.candidates.size() >= most) return;
+    run.candidates.resize(most);
+    run.tiles.resize(most);
   }
 
   FrameData data_;
@@ -255,6 +160,9 @@ class FastRenderer::Frame {
     const std::size_t end = std::min(begin + kVertexBatch, data_.vertex_count);
     if (!kernel_->transform(begin, end)) all_inside_ = false;
     if (!data_.terms.empty()) kernel_->light(begin, end);
+  };
+  const std::function<void(int, int)> find_cut_ = [this](int i, int) {
+    find_cut(data_, data_.runs[std::size_t(i)]);
   };
   const std::function<void(int, int)> list_ = [this](int i, int) {
     Run& run = data_.runs[std::size_t(i)];

@@ -37,8 +37,10 @@ struct SnappedPoint {
   float inverse_depth;
   std::int32_t unused = 0;
 };
-/// The x of a point that isn't in front of the near plane and within the guard.
+/// The x of a point that isn't in front of the near plane and within the guard; its y is kBehind
+/// where it lies behind the near plane.
 constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t kBehind = 1;
 
 /// The tiles that a triangle touches, in one number: the first, and how many there are to its right
 /// and below.
@@ -59,6 +61,7 @@ struct Run {
   std::size_t found = 0;
   std::vector<std::uint32_t> listed;  ///< by tile: those of tile i from begins[i] to begins[i + 1]
   std::vector<std::uint32_t> begins;
+  std::vector<std::uint32_t> cut;  ///< triangles that clipping must cut
 };
 
 /// What stands in for a triangle that was clipped: triangles [first, first + count).
@@ -107,7 +110,7 @@ struct FrameData {
   Image* floats = nullptr;
 };
 
-/// The pieces of a triangle with a corner outside; none where it is cut away.
-const Clipped* find_clipped(const FrameData& data, std::uint32_t triangle);
+/// The first of triangles [first, last) that was clipped; none where there is none.
+const Clipped* find_clipped(const FrameData& data, std::uint32_t first, std::uint32_t last);
 
 }  // namespace lumaknot

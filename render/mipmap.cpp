@@ -8,17 +8,39 @@
 namespace lumaknot {
 namespace {
 
+/// The texels that one of half as many lies over: two, or three of an odd side. The shares of them
+/// sum to one.
+struct Shares {
+  int first = 0;
+  std::array<double, 3> weights{};
+};
+
+Shares shares_of(int i, int size, int half) {
+  const int begin = i * size, end = begin + size;  // in parts of a texel, `half` to each
+  Shares shares{begin / half, {}};
+  for (int k = 0; k < 3; ++k) {
+    const int texel = (shares.first + k) * half;
+    const int covered = std::min(end, texel + half) - std::max(begin, texel);
+    shares.weights[std::size_t(k)] = double(std::max(covered, 0)) / size;
+  }
+  return shares;
+}
+
+/// Each texel the mean of what it lies over, also where a side is odd.
 TextureImage halved(const TextureImage& image) {
   TextureImage half(std::max(1, image.width / 2), std::max(1, image.height / 2));
   for (int y = 0; y < half.height; ++y) {
+    const Shares rows = shares_of(y, image.height, half.height);
     for (int x = 0; x < half.width; ++x) {
+      const Shares columns = shares_of(x, image.width, half.width);
       Vec3d sum;
-      for (const int j : {2 * y, std::min(2 * y + 1, image.height - 1)}) {
-        for (const int i : {2 * x, std::min(2 * x + 1, image.width - 1)}) {
-          sum = sum + to_vec(image.at(i, j));
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+          const double share = rows.weights[std::size_t(j)] * columns.weights[std::size_t(i)];
+          if (share > 0) sum = sum + share * to_vec(image.at(columns.first + i, rows.first + j));
         }
       }
-      half.at(x, y) = to_rgb(sum * 0.25);
+      half.at(x, y) = to_rgb(sum);
     }
   }
   return half;

@@ -76,7 +76,7 @@ void find_one_by_one(const FrameData& data, Run& run, std::uint32_t first, std::
       run.candidates[run.found] = t;
       run.tiles[run.found] = std::uint32_t(p.tiles.get(0));
       run.found += xsimd::any(p.seen);
-    } else if (const Clipped* pieces = find_clipped(data, t)) {
+    } else if (const Clipped* pieces = find_clipped(data, t, t + 1)) {
       find_candidates<A>(data, run, pieces->first, pieces->first + pieces->count);
     }
   }
@@ -92,11 +92,12 @@ void find_candidates(const FrameData& data, Run& run, std::uint32_t first, std::
     const Ints<A> numbers = lane_numbers<A>() + Ints<A>(std::int32_t(t));
     const Ints<A> triangles = xsimd::min(numbers, Ints<A>(std::int32_t(last - 1)));
     const Placed<A> p = placed<A>(data, triangles);
-    if (xsimd::any(p.outside)) {
-      find_one_by_one<A>(data, run, t, std::min(t + kWidth, last));
+    const std::uint32_t end = std::min(t + kWidth, last);
+    if (xsimd::any(p.outside) && find_clipped(data, t, end)) {
+      find_one_by_one<A>(data, run, t, end);
       continue;
     }
-    const auto kept = p.seen && numbers == triangles;
+    const auto kept = p.seen && !p.outside && numbers == triangles;
     store_where<A>(kept, triangles, &run.candidates[run.found]);
     run.found += store_where<A>(kept, p.tiles, &run.tiles[run.found]);
   }

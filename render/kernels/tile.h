@@ -29,6 +29,7 @@ class TilePainter {
 
   void paint(int tile) {
     bool any = false;
+    tiny_ = !has_pieces(tile);
     for (const Run& run : data_.runs) {
       const std::uint32_t begin = run.begins[std::size_t(tile)];
       const std::uint32_t end = run.begins[std::size_t(tile) + 1];
@@ -46,6 +47,17 @@ class TilePainter {
   }
 
  private:
+  /// Whether clipping made some of the tile's triangles: their numbers don't rise with their order,
+  /// by which draw_tiny() tells which of two at the same depth comes later.
+  bool has_pieces(int tile) const {
+    if (data_.clipped.empty()) return false;
+    return std::ranges::any_of(data_.runs, [&](const Run& run) {
+      const auto begin = run.listed.begin() + std::ptrdiff_t(run.begins[std::size_t(tile)]);
+      const auto end = run.listed.begin() + std::ptrdiff_t(run.begins[std::size_t(tile) + 1]);
+      return std::any_of(begin, end, [&](std::uint32_t t) { return t >= data_.triangle_count; });
+    });
+  }
+
   void clear() {
     for (std::size_t i = 0; i < memory_.nearest.size(); i += 2 * S::kWidth) {
       Nearest<A>::clear(memory_.nearest.data() + i);
@@ -206,7 +218,7 @@ class TilePainter {
   TileMemory& memory_;
   ShadingBatch<A> batch_;
   TileTarget target_;
-  const bool tiny_ = data_.clipped.empty();
+  bool tiny_ = true;     ///< packets that are tiny may be drawn as such
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 

@@ -11,8 +11,8 @@ namespace lumaknot {
 template <class A>
 using Doubles = xsimd::batch<double, A>;
 
-/// Image points of several vertices, and snapped: whole numbers, x kOutside where the point isn't
-/// in front of the near plane and within the guard.
+/// Image points of several vertices, and snapped: whole numbers, or what SnappedPoint has of those
+/// outside.
 template <class A>
 struct ImagePoints {
   static constexpr std::size_t kWidth = Doubles<A>::size;
@@ -36,7 +36,8 @@ ImagePoints<A> image_points(const FrameData& data, std::size_t i) {
   image.y.store_unaligned(points.y);
   (S(1) / image.z).store_unaligned(points.inverse_depth);
   xsimd::select(inside, snapped(image.x), S(kOutside)).store_unaligned(points.snapped_x);
-  xsimd::select(inside, snapped(image.y), S(0)).store_unaligned(points.snapped_y);
+  const S why = xsimd::select(image.z < S(data.near), S(kBehind), S(0));
+  xsimd::select(inside, snapped(image.y), why).store_unaligned(points.snapped_y);
   points.all_inside = xsimd::all(inside);
   return points;
 }

@@ -111,6 +111,23 @@ TEST(Fast, draws_one_texel_and_a_texture_repeated_many_times) {
   expect_close(scene);
 }
 
+// At 40,000 tiles neighbouring floats lie a sixteenth of a texel apart.
+TEST(Fast, draws_a_texture_scrolled_by_many_tiles) {
+  Scene scene = knot_scene();
+  for (Vec2d& uv : scene.mesh.uvs) uv = {uv.u * 2 + 40000, uv.v - 40000};
+  expect_close(scene);
+  scene.view.material.rate = Rate::kVertex;
+  expect_close(scene);
+}
+
+// Each ring of triangles begins in another tile.
+TEST(Fast, draws_a_texture_repeated_from_triangle_to_triangle) {
+  Scene scene = knot_scene();
+  scene.texture = testing::noise_texture(4, 4);
+  for (Vec2d& uv : scene.mesh.uvs) uv = {uv.u * 96 * 3, uv.v * 6};
+  expect_close(scene);
+}
+
 // Image sizes that no tile and no block divides.
 TEST(Fast, draws_images_of_any_size) {
   for (const auto& [width, height] : {std::pair{1, 1}, {63, 65}, {130, 3}, {5, 200}}) {

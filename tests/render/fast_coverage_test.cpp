@@ -97,6 +97,20 @@ TEST(FastCoverage, of_triangles_at_one_depth_is_the_later_ones) {
   }
 }
 
+// What clipping leaves of a triangle keeps its place in the mesh's order.
+TEST(FastCoverage, of_a_clipped_triangle_at_the_depth_of_others_is_between_them) {
+  Scene scene = soup(8, 3000, 8, 512);
+  for (Vec3d& p : scene.mesh.positions) p = {p.x / (4 - p.z), p.y / (4 - p.z), 3};
+  add_flat(scene.mesh, {Vec3d{-1e4, -1e4, 3}, {1e4, -1e4, 3}, {0, 1e4, 3}});
+  auto& triangles = scene.mesh.triangles;
+  std::rotate(triangles.begin() + 1500, triangles.end() - 1, triangles.end());
+  for (const SimdLevel level : testing::simd_levels()) {
+    FastOptions options;
+    options.level = level;
+    expect_identical(scene, options);
+  }
+}
+
 TEST(FastCoverage, of_large_triangles_on_snapped_points_is_the_references) {
   for (const SimdLevel level : testing::simd_levels()) {
     FastOptions options;

@@ -104,6 +104,46 @@ TEST(FastLimits, an_eye_inside_the_tube_sees_its_inside) {
   EXPECT_LE(differing, 20);
 }
 
+TEST(FastLimits, an_eye_that_looks_away_sees_nothing) {
+  Scene scene = knot_scene();
+  scene.view.camera.target = scene.view.camera.position * 2;
+  for (const SimdLevel level : testing::simd_levels()) {
+    FastOptions options;
+    options.level = level;
+    for (const RgbaPixel& p : fast_image(scene, options).pixels) ASSERT_EQ(p.coverage, 0);
+  }
+}
+
+// Half of the knot lies behind the eye, and packets hold triangles of all kinds.
+TEST(FastLimits, an_eye_in_the_middle_of_a_knot_draws_what_the_reference_does) {
+  Scene scene = knot_scene();
+  scene.view.camera.position = {0.5, -0.5, 0.5};
+  scene.view.camera.target = {-1, 1, -0.2};
+  for (const SimdLevel level : testing::simd_levels()) {
+    FastOptions options;
+    options.level = level;
+    const Difference d = difference(render(scene), fast_image(scene, options));
+    EXPECT_LE(d.coverage, 2);
+    EXPECT_GT(d.covered, 1000);
+    EXPECT_LE(d.most, 1.0 / 255);
+  }
+}
+
+// Beyond 1.8e19 the square of a distance is no number of single precision.
+TEST(FastLimits, lamps_far_away_shine_as_the_reference_has_them) {
+  for (const double distance : {1e14, 1e16, 1e20, 1e25}) {
+    SCOPED_TRACE(distance);
+    Scene scene = knot_scene();
+    PointLight lamp{Vec3d{1, -1, 1} * distance, {{1, 0.8, 0.6}, 0.7}, {0.5, 0, 0}};
+    lamp.falloff.quadratic = 0.1 / distance / distance;
+    SpotLight spot{Vec3d{-1, -1, 1} * distance, {1, 1, -1}, 10, 40, {{1, 1, 1}, 0.5}, {}};
+    scene.view.lights = {lamp, spot};
+    const Difference d = difference(render(scene), fast_image(scene));
+    EXPECT_LE(d.coverage, 2);
+    EXPECT_LE(d.most, 1.0 / 255);
+  }
+}
+
 TEST(FastLimits, an_eye_on_a_vertex_draws_what_the_reference_does) {
   Scene scene = knot_scene();
   scene.view.camera.position = scene.mesh.positions[40];
