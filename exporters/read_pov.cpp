@@ -6,116 +6,11 @@
 #include <vector>
 
 #include "exporters/mesh_readers.h"
+#include "exporters/pov_tokens.h"
 #include "exporters/text_scanner.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr std::string_view kRemedy = "export the mesh again";
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-/// The words, numbers and marks of POV-Ray's language, without its comments.
-class PovTokens {
- public:
-  PovTokens(std::string_view text, std::string_view name) : text_(text), name_(name) {}
-
-  /// The next token, empty at the file's end. Strings keep their quotation marks.
-  std::string_view next() {
-    skip_blanks();
-    const std::size_t begin = at_;
-    if (at_ == text_.size()) return {};
-    if (text_[at_] == '"') {
-      pass_string();
-    } else if (is_letter(text_[at_])) {
-      while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
-    } else if (begins_number()) {
-      pass_number();
-    } else {
-      ++at_;
-    }
-    return text_.substr(begin, at_ - begin);
-  }
-
-  std::string_view peek() {
-    const PovTokens before = *this;
-    const std::string_view token = next();
-    *this = before;
-    return token;
-  }
-
-  std::uint64_t line() const { return line_; }
-  std::size_t remaining() const { return text_.size() - at_; }
-  [[noreturn]] void fail(std::string_view what) const {
-    throw file_error(name_, "line", line_, what);
-  }
-
- private:
-  char at(std::size_t ahead) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-
-  void step() {
-    if (text_[at_] == '\n') ++line_;
-    ++at_;
-  }
-
-  void skip_blanks() {
-    while (at_ < text_.size()) {
-      if (text_.substr(at_).starts_with("//")) {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      } else if (text_.substr(at_).starts_with("/*")) {
-        pass_comment();
-      } else if (std::string_view(" \t\r\n\f\v").find(text_[at_]) != std::string_view::npos) {
-        step();
-      } else {
-        return;
-      }
-    }
-  }
-
-  /// Comments nest.
-  void pass_comment() {
-    const std::uint64_t begin = line_;
-    int depth = 0;
-    do {
-      if (at_ == text_.size()) {
-        fail(fmt::format("the comment of line {} does not end; {}", begin, kRemedy));
-      }
-      const bool opens = at(0) == '/' && at(1) == '*', closes = at(0) == '*' && at(1) == '/';
-      depth += int(opens) - int(closes);
-      if (opens || closes) ++at_;
-      step();
-    } while (depth > 0);
-  }
-
-  void pass_string() {
-    for (++at_; at(0) != '"'; step()) {
-      if (at_ == text_.size()) fail(fmt::format("a string that does not end; {}", kRemedy));
-      if (at(0) == '\\' && at_ + 1 < text_.size()) ++at_;
-    }
-    ++at_;
-  }
-
-  bool begins_number() const {
-    const std::size_t sign = at(0) == '-' || at(0) == '+';
-    return is_digit(at(sign)) || (at(sign) == '.' && is_digit(at(sign + 1)));
-  }
-
-  void pass_number() {
-    ++at_;
-    while (is_digit(at(0)) || at(0) == '.') ++at_;
-    const std::size_t sign = at(1) == '-' || at(1) == '+';
-    if ((at(0) != 'e' && at(0) != 'E') || !is_digit(at(1 + sign))) return;
-    at_ += 1 + sign;
-    while (is_digit(at(0))) ++at_;
-  }
-
-  std::string_view text_, name_;
-  std::size_t at_ = 0;
-  std::uint64_t line_ = 1;
-};
 
 class PovReader {
  public:
@@ -185,7 +80,7 @@ class PovReader {
   void expect(std::string_view wanted) {
     const std::string_view token = tokens_.next();
     if (token == wanted) return;
-    if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kRemedy));
+    if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kPovRemedy));
     tokens_.fail(fmt::format("{} where {} should stand: only numbers are read, no expressions",
                              quoted(token), wanted));
   }
@@ -200,7 +95,7 @@ class PovReader {
     expect("{");
     const std::uint64_t count = integer();
     if (count > tokens_.remaining() / least) {
-      tokens_.fail(fmt::format("a list of {}, which the file can't hold; {}", count, kRemedy));
+      tokens_.fail(fmt::format("a list of {}, which the file can't hold; {}", count, kPovRemedy));
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       pass_comma();
@@ -212,7 +107,7 @@ class PovReader {
 
   double number() {
     const std::string_view token = tokens_.next();
-    if (token.empty()) tokens_.fail(fmt::format("cut short before a number; {}", kRemedy));
+    if (token.empty()) tokens_.fail(fmt::format("cut short before a number; {}", kPovRemedy));
     const auto value = number_of(token);
     if (!value || token[0] == 'n' || token[0] == 'i') {
       tokens_.fail(
@@ -230,7 +125,7 @@ class PovReader {
     if (value >= 0 && value < kBeyond && value == double(std::uint64_t(value))) {
       return std::uint64_t(value);
     }
-    tokens_.fail(fmt::format("{} is no count or index; {}", value, kRemedy));
+    tokens_.fail(fmt::format("{} is no count or index; {}", value, kPovRemedy));
   }
 
   Vec3d vector() {
@@ -259,7 +154,8 @@ class PovReader {
     for (std::size_t i = 0; i < 3; ++i) {
       if (i > 0) expect(",");
       const std::uint64_t index = integer();
-      if (index >= kNoIndex) tokens_.fail(fmt::format("index {} is not there; {}", index, kRemedy));
+      if (index >= kNoIndex)
+        tokens_.fail(fmt::format("index {} is not there; {}", index, kPovRemedy));
       indices[i] = std::uint32_t(index);
     }
     expect(">");
@@ -290,7 +186,7 @@ class PovReader {
         if (own < end - start) return std::uint32_t(start + own);
         throw file_error(name_, "line", polygons_.places[start_.polygon + face],
                          fmt::format("{} {} is not there, the mesh2 has {}, from 0 on; {}", what,
-                                     own, end - start, kRemedy));
+                                     own, end - start, kPovRemedy));
       };
       corner.position = moved("vertex", index, start_.position, polygons_.positions.size());
       if (has_normals) {
@@ -307,7 +203,7 @@ class PovReader {
   void check_size(std::string_view what, std::size_t size) const {
     const std::size_t faces = polygons_.sizes.size() - start_.polygon;
     if (size == 0 || size == faces) return;
-    tokens_.fail(fmt::format("{} {} for {} faces; {}", size, what, faces, kRemedy));
+    tokens_.fail(fmt::format("{} {} for {} faces; {}", size, what, faces, kPovRemedy));
   }
 
   PovTokens tokens_;

@@ -6,11 +6,9 @@
 
 #include "render/render.h"
 #include "scene/scene.h"
+#include "study/error_map.h"
 
 namespace lumaknot {
-
-/// Differences of a picture's channels from another's, signed.
-using ErrorMap = Grid<Vec3d>;
 
 /// One stage of the method and the error that it makes.
 struct BudgetPart {
