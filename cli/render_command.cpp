@@ -20,12 +20,15 @@
 namespace lumaknot {
 namespace {
 
+/// By SimdLevel.
+const std::vector<std::string> kSimdNames{"baseline", "avx2", "avx512"};
+
 struct RenderFlags {
   std::string scene = "figure2", output;
   bool fast = false;
   std::string truth;
   TruthOptions truth_options;
-  std::string filter = "bilinear", wrap = "repeat";
+  std::string filter = "bilinear", wrap = "repeat", simd;
   FastOptions options;
   Output out;
 };
@@ -57,6 +60,9 @@ Drawn draw(const SceneInput& input, const RenderFlags& flags) {
   if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};
   FastOptions options = flags.options;
   options.filter = flags.filter == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
+  if (!flags.simd.empty()) {
+    options.level = SimdLevel(std::ranges::find(kSimdNames, flags.simd) - kSimdNames.begin());
+  }
   options.wrapping = flags.wrap == "clamp" ? Wrapping::kClamp : Wrapping::kRepeat;
   Image image;
   FastRenderer(scene, options).draw(image);
@@ -82,6 +88,11 @@ void add_fast_flags(CLI::App& command, RenderFlags& flags) {
       ->check(CLI::IsMember({"repeat", "clamp"}))
       ->needs(fast);
   command.add_flag("--cull", options.cull_back_faces, "leave out triangles seen from behind")
+      ->needs(fast);
+  command
+      .add_option("--simd", flags.simd,
+                  "instructions, to compare their pictures; otherwise the most that there are")
+      ->check(CLI::IsMember(kSimdNames))
       ->needs(fast);
   command.add_option("--threads", options.threads, "0: one for each core")
       ->capture_default_str()

@@ -27,6 +27,7 @@ TEST_F(Program, no_or_an_unknown_command_is_refused) {
   expect_refused({}, "a command is needed");
   expect_refused({"reder"}, "reder");
   expect_refused({"render", "figure2"}, "--output");
+  expect_refused({"render", "--fast", "--simd", "mmx", "-o", "out.png"}, "avx512");
 }
 
 TEST_F(Program, a_built_in_scene_is_printed_and_reads_back_as_itself) {
