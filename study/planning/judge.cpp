@@ -60,7 +60,7 @@ Judge::Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
       tolerance_(tolerance),
       area_(scene_.view.image.samples > 1),
       pixels_(scene_, knot),
-      nearby_(pixels_, tolerance.shift, area_),
+      nearby_(pixels_, knot.tube_radius, tolerance.shift, area_),
       truth_(scene_.view.image.width, scene_.view.image.height),
       ranges_(truth_.pixels.size()) {
   fragments_ = exact_fragments(scene_, knot);

@@ -132,7 +132,7 @@ void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
   const auto look_along = [&](Vec2d at) {
     const ExactFragment found = pixels_.at(at.u, at.v);
     nearby.full.add(pixels_.sample(found.fragment), 0);
-    look_behind(nearby.behind, at, found);
+    look_behind(nearby.behind, at, shift_ - std::hypot(at.u - x, at.v - y), found);
     return found;
   };
   look_along({x, y});
@@ -155,8 +155,16 @@ void Nearby::look_closely(NearbyRange& nearby, double x, double y) const {
   }
 }
 
-/// Through what is no deeper than the shift.
-void Nearby::look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const {
+/// Across a straight tube the way is a chord between normals that turn by twice the angle a: along
+/// a normal it is 2 r sin(a)^2 long, and r (1 - cos(a)) deep.
+double passage_depth(const Vec3d& through, const Vec3d& normal, double tube_radius) {
+  const double sine2 = std::min(std::abs(dot(through, normal)) / (2 * tube_radius), 1.0);
+  return tube_radius * (1 - std::sqrt(1 - sine2));
+}
+
+/// Through what is no deeper than `depth`, in pixels.
+void Nearby::look_behind(SampleRange& range, Vec2d at, double depth,
+                         const ExactFragment& seen) const {
   constexpr int kMost = 4;  // passages through the tube
   constexpr double kBeyond = 1 + 1e-9;
   ExactFragment in = seen;
@@ -164,9 +172,9 @@ void Nearby::look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen
     const ExactFragment out = pixels_.at(at.u, at.v, in.fragment.depth * kBeyond);
     if (!out.fragment.covered()) return;
     const Vec3d through = out.fragment.position - in.fragment.position;
-    // Of an arc the height is a quarter of its chord times the sine at its ends.
-    const double depth = std::abs(dot(through, in.fragment.normal)) / 4;
-    if (depth > shift_ * pixels_.pixel_width() * in.fragment.depth) return;
+    const double deep = std::max(passage_depth(through, in.fragment.normal, tube_radius_),
+                                 passage_depth(through, out.fragment.normal, tube_radius_));
+    if (deep > depth * pixels_.pixel_width() * in.fragment.depth) return;
     range.add(pixels_.sample(out.fragment), 0);
     in = pixels_.at(at.u, at.v, out.fragment.depth * kBeyond);
     range.add(pixels_.sample(in.fragment), 0);

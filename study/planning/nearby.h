@@ -41,6 +41,11 @@ struct NearbyRange {
   bool has_quick = false, has_full = false;
 };
 
+/// How deep a straight way leads into a round tube, at its deepest: the tube's radius minus the
+/// way's least distance from the centre line. `through` leads from where it goes in to where it
+/// comes out, `normal` is the surface's at either. Exact where the centre line is straight.
+double passage_depth(const Vec3d& through, const Vec3d& normal, double tube_radius);
+
 /// Looks at the truth about pixels: first quickly, then fully. Of point truth: eight directions at
 /// the shift, eight at half of it; then at eight distances in thirty-two directions and on both
 /// sides of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each
@@ -48,13 +53,13 @@ struct NearbyRange {
 /// the cells' least and most. All see less than there is: what lies in the range is certainly near.
 ///
 /// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
-/// where a ray of the full look passes through the tube no deeper than the shift, what it meets
-/// next counts as well; it is kept apart.
+/// where a ray of the full look passes through the tube no deeper than what its own distance from
+/// the pixel's centre leaves of the shift, what it meets next counts as well; it is kept apart.
 class Nearby {
  public:
-  /// Keeps `pixels` by reference.
-  Nearby(const ExactPixels& pixels, double shift, bool area)
-      : pixels_(pixels), shift_(shift), area_(area) {}
+  /// Keeps `pixels` by reference; the tube's radius is in scene units.
+  Nearby(const ExactPixels& pixels, double tube_radius, double shift, bool area)
+      : pixels_(pixels), tube_radius_(tube_radius), shift_(shift), area_(area) {}
 
   /// Fills `quick`, or `full` and `behind`, of the pixel (x, y), unless they are there.
   void look_quickly(NearbyRange& nearby, int x, int y) const;
@@ -64,11 +69,11 @@ class Nearby {
   void look_at_cells(SampleRange& range, int x, int y, int cells) const;
   void look_around(SampleRange& range, double x, double y) const;
   void look_closely(NearbyRange& nearby, double x, double y) const;
-  void look_behind(SampleRange& range, Vec2d at, const ExactFragment& seen) const;
+  void look_behind(SampleRange& range, Vec2d at, double depth, const ExactFragment& seen) const;
   void look_at_edge(SampleRange& range, Vec2d seen, Vec2d other) const;
 
   const ExactPixels& pixels_;
-  double shift_;
+  double tube_radius_, shift_;
   bool area_;
 };
 

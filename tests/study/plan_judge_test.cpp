@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "scene/error.h"
 #include "study/planning/judge.h"
@@ -119,6 +121,55 @@ TEST(Judge, what_is_hidden_by_less_than_the_shift_counts_and_is_told_apart) {
   EXPECT_TRUE(judgement.met);
   EXPECT_GT(judgement.hidden, 0);
   EXPECT_LT(judgement.hidden, judgement.shifted / 500);
+}
+
+/// The least distance from the pixel's centre at which one of many rays shows nothing.
+double distance_to_nothing(const ExactPixels& pixels, int x, int y, double most) {
+  constexpr int kRadii = 12, kAngles = 32;
+  for (int i = 1; i <= kRadii; ++i) {
+    for (int k = 0; k < kAngles; ++k) {
+      const double r = most * i / kRadii, a = 2 * std::numbers::pi * k / kAngles;
+      const double u = x + 0.5 + r * std::cos(a), v = y + 0.5 + r * std::sin(a);
+      if (!pixels.at(u, v).fragment.covered()) return r;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+TEST(Judge, what_is_hidden_shares_the_shift_with_its_place) {
+  const SceneSpec spec = small_spec(40);
+  const Scene scene = made(spec);
+  const ExactPixels pixels(scene, knot_of(spec));
+  const Judge judge(scene, knot_of(spec), {kStep, 0.25});
+  Image near = moved_truth(spec, 0), far = near;
+  long long farther = 0, nearer = 0;
+  for (int y = 0; y < near.height; ++y) {
+    for (int x = 0; x < near.width; ++x) {
+      if (near.at(x, y).coverage == 0) continue;
+      const double distance = distance_to_nothing(pixels, x, y, 0.48);
+      // Found a step of 0.04 too far at most.
+      if (distance < 0.24) near.at(x, y) = {}, ++nearer;
+      if (distance > 0.30 && distance <= 0.48) far.at(x, y) = {}, ++farther;
+    }
+  }
+  EXPECT_TRUE(judge.judge(near).met);
+  EXPECT_GT(nearer, 20);
+  EXPECT_EQ(judge.judge_all(far).judgement.failing, farther);
+  EXPECT_GT(farther, 20);
+}
+
+TEST(Passage, is_as_deep_as_the_tube_s_radius_less_the_distance_from_its_middle) {
+  // A tube about the x axis, and ways at a slant that pass it at the height `away`.
+  constexpr double kRadius = 0.3;
+  for (const double away : {0.0, 0.01, 0.15, 0.29, 0.2999}) {
+    for (const double slant : {0.0, 0.5, 3.0}) {
+      const double half = std::sqrt(kRadius * kRadius - away * away);
+      const Vec3d in{-half * slant, -half, away}, out = -1.0 * Vec3d{in.x, in.y, -in.z};
+      const Vec3d normal = Vec3d{0, in.y, in.z} / kRadius;
+      // Near the middle the square root takes half of the digits.
+      EXPECT_NEAR(passage_depth(out - in, normal, kRadius), kRadius - away, 1e-8);
+    }
+  }
 }
 
 TEST(Judge, refuses_a_scene_that_covers_no_pixel) {

@@ -45,10 +45,26 @@ Image drawn(const Plan& plan) {
   return image;
 }
 
+/// How deep the way between two points leads into the tube of a knot, by the points of its centre
+/// line.
+double depth_of_way(const KnotSpec& knot, const Vec3d& from, const Vec3d& to) {
+  constexpr int kPoints = 4000;
+  const Vec3d way = to - from;
+  double nearest = knot.tube_radius;
+  for (const Curve& line : centre_lines(knot)) {
+    for (int i = 0; i < kPoints; ++i) {
+      const Vec3d point = curve_point(line, 2 * std::numbers::pi * i / kPoints).position;
+      const double along = std::clamp(dot(point - from, way) / dot(way, way), 0.0, 1.0);
+      nearest = std::min(nearest, length(from + way * along - point));
+    }
+  }
+  return knot.tube_radius - nearest;
+}
+
 /// Of point truth: how far the pixel is from what 200 rays within the shift see, or meet next
-/// behind a passage through the tube that is no deeper.
-double distance_from_rays(const ExactPixels& pixels, const Shading& shading, int x, int y,
-                          double shift, const RgbaPixel& pixel) {
+/// behind a passage through the tube that is no deeper than what their distance leaves.
+double distance_from_rays(const KnotSpec& knot, const ExactPixels& pixels, const Shading& shading,
+                          int x, int y, double shift, const RgbaPixel& pixel) {
   constexpr int kRays = 200;
   std::array<double, 4> low{9, 9, 9, 9}, high{-9, -9, -9, -9};
   const auto take = [&](const ExactFragment& seen) {
@@ -68,10 +84,9 @@ double distance_from_rays(const ExactPixels& pixels, const Shading& shading, int
     const double depth = seen.fragment.depth;
     const ExactFragment out = pixels.at(u, v, depth * (1 + 1e-9));
     if (!out.fragment.covered()) continue;
-    const Vec3d through = out.fragment.position - seen.fragment.position;
-    const double height =
-        length(through) * std::abs(dot(normalize(through), seen.fragment.normal)) / 4;
-    if (height <= shift * depth * pixels.pixel_width()) {
+    const double deep = depth_of_way(knot, seen.fragment.position, out.fragment.position) /
+                        (depth * pixels.pixel_width());
+    if (deep <= shift - r) {
       take(out);
       take(pixels.at(u, v, out.fragment.depth * (1 + 1e-9)));
     }
@@ -96,10 +111,11 @@ double own_error(const SceneSpec& spec, const Image& image, double shift) {
     for (int x = 0; x < image.width; ++x) {
       const RgbaPixel& pixel = image.at(x, y);
       if (pixel.coverage == 0 && !pixels.at(x + 0.5, y + 0.5).fragment.covered()) continue;
-      const double in_place = distance_from_rays(pixels, shading, x, y, 0, pixel);
-      worst = std::max(worst, in_place <= 1.0 / 255
-                                  ? in_place
-                                  : distance_from_rays(pixels, shading, x, y, shift, pixel));
+      const double in_place = distance_from_rays(knot_of(spec), pixels, shading, x, y, 0, pixel);
+      worst = std::max(
+          worst, in_place <= 1.0 / 255
+                     ? in_place
+                     : distance_from_rays(knot_of(spec), pixels, shading, x, y, shift, pixel));
     }
   }
   return worst;
