@@ -110,7 +110,8 @@ std::size_t finished_points(const Chart& chart);
 std::string chart_json(const Chart& chart);
 std::optional<Chart> chart_from_json(const std::string& text);
 
-/// A row for each point.
+/// A row for each point: name, space, times, errors, and 1 where it is on its space's front, else
+/// 0.
 std::string chart_csv(const Chart& chart);
 
 /// The fronts as text for a terminal.
