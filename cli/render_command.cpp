@@ -27,6 +27,7 @@ struct RenderFlags {
   TruthOptions truth_options;
   std::string filter = "bilinear", wrap = "repeat";
   FastOptions options;
+  bool multisampled = false;
   Output out;
 };
 
@@ -53,8 +54,9 @@ Drawn draw_truth(const SceneInput& input, const RenderFlags& flags) {
 
 Drawn draw(const SceneInput& input, const RenderFlags& flags) {
   if (!flags.truth.empty()) return draw_truth(input, flags);
-  const Scene scene = load_scene(input);
+  Scene scene = load_scene(input);
   if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};
+  if (flags.multisampled) scene.view.image.samples = 1;
   FastOptions options = flags.options;
   options.filter = flags.filter == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   options.wrapping = flags.wrap == "clamp" ? Wrapping::kClamp : Wrapping::kRepeat;
@@ -69,9 +71,11 @@ void add_fast_flags(CLI::App& command, RenderFlags& flags) {
       "draw in single precision at the machine's speed; without it, in double precision");
   FastOptions& options = flags.options;
   command
-      .add_option("--multisample", options.samples,
-                  "samples of coverage and depth a pixel: 1, 2, 4, 6, 8 or 16")
+      .add_option(
+          "--multisample", options.samples,
+          "samples of coverage and depth a pixel, in place of image.samples: 1, 2, 4, 6, 8 or 16")
       ->capture_default_str()
+      ->each([&flags](const std::string&) { flags.multisampled = true; })
       ->needs(fast);
   command.add_option("--filter", flags.filter, "of the texture")
       ->capture_default_str()
