@@ -40,9 +40,16 @@ Told growth(const Scene& scene, const MeshSpec& mesh, const BenchFlags& flags) {
   return {growth_text(all), growth_json(all), growth_svg(all)};
 }
 
+/// Of a file that may be asked for.
+void check_place(const std::string& path, std::string_view ending, const char* flag) {
+  if (path.empty()) return;
+  check_ending(path, {&ending, 1}, flag);
+  check_writable(path, flag);
+}
+
 void run(const BenchFlags& flags) {
-  if (!flags.output.empty()) check_writable(flags.output, "--output");
-  if (!flags.picture.empty()) check_writable(flags.picture, "--picture");
+  check_place(flags.output, ".json", "--output");
+  check_place(flags.picture, ".svg", "--picture");
   const SceneInput input = read_scene(flags.scene);
   const Scene scene = load_scene(input);
   const Told told =
@@ -83,7 +90,7 @@ void add_bench_command(CLI::App& program) {
   command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
       ->capture_default_str();
   add_measuring_flags(*command, flags->options);
-  command->add_option("-o,--output", flags->output, "the table as JSON");
+  command->add_option("-o,--output", flags->output, "the table as JSON: .json");
   command->add_option("--picture", flags->picture, "the table as a bar chart: .svg");
   command->add_flag("--alone", flags->alone, "without llvmpipe, a GPU and Embree");
   command

@@ -48,17 +48,6 @@ std::vector<Space> spaces_of(const ChartFlags& flags, const Material& material) 
   return spaces;
 }
 
-std::string where_it_stands(const fs::path& folder) {
-  const fs::path file = folder / "chart.json";
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return "interrupted; nothing is kept yet";
-  const auto chart = chart_from_json(read_file(file, "chart.json"));
-  if (!chart) return "interrupted";
-  return fmt::format(
-      "interrupted; {} of {} points are measured and kept in {}; the same command goes on",
-      finished_points(*chart), chart->points.size(), folder.string());
-}
-
 void write_all(const Chart& chart, const ChartFlags& flags) {
   const fs::path folder = flags.output;
   const ChartPicture picture = chart_picture(chart, metric_called(flags.metric));
@@ -85,6 +74,8 @@ void run(const ChartFlags& flags) {
   const SceneInput input = read_scene(flags.scene);
   ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
                flags.rounds,      !flags.alone,    flags.metric};
+  std::error_code ignored;
+  const bool was_there = fs::exists(flags.output, ignored);
   make_output_folder(flags.output, "chart.json");
   try {
     const Chart chart =
@@ -96,7 +87,10 @@ void run(const ChartFlags& flags) {
     flags.out.say(fmt::format("{} points; see {}", chart.points.size(),
                               (fs::path(flags.output) / "chart.html").string()));
   } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
-    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(flags.output));
+    fmt::print(stderr, "lumaknot: interrupted; {}\n", chart_standing(job, flags.output));
+    throw;
+  } catch (const Error&) {
+    if (!was_there) fs::remove(flags.output, ignored);  // unless something is kept
     throw;
   }
 }

@@ -30,6 +30,7 @@ struct RenderFlags {
   TruthOptions truth_options;
   std::string filter = "bilinear", wrap = "repeat", simd;
   FastOptions options;
+  bool multisampled = false;
   Output out;
 };
 
@@ -56,8 +57,9 @@ Drawn draw_truth(const SceneInput& input, const RenderFlags& flags) {
 
 Drawn draw(const SceneInput& input, const RenderFlags& flags) {
   if (!flags.truth.empty()) return draw_truth(input, flags);
-  const Scene scene = load_scene(input);
+  Scene scene = load_scene(input);
   if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};
+  if (flags.multisampled) scene.view.image.samples = 1;
   FastOptions options = flags.options;
   options.filter = flags.filter == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   if (!flags.simd.empty()) {
@@ -75,9 +77,11 @@ void add_fast_flags(CLI::App& command, RenderFlags& flags) {
       "draw in single precision at the machine's speed; without it, in double precision");
   FastOptions& options = flags.options;
   command
-      .add_option("--multisample", options.samples,
-                  "samples of coverage and depth a pixel: 1, 2, 4, 6, 8 or 16")
+      .add_option(
+          "--multisample", options.samples,
+          "samples of coverage and depth a pixel, in place of image.samples: 1, 2, 4, 6, 8 or 16")
       ->capture_default_str()
+      ->each([&flags](const std::string&) { flags.multisampled = true; })
       ->needs(fast);
   command.add_option("--filter", flags.filter, "of the texture")
       ->capture_default_str()

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -180,8 +181,8 @@ std::string display_png(const Image& image) {
 }
 
 void check_image_extension(const std::filesystem::path& path, std::string_view flag) {
-  if (path.extension() == ".exr" || path.extension() == ".png") return;
-  throw Error(fmt::format("{} {} must end in .exr or .png", flag, path.string()));
+  constexpr std::array<std::string_view, 2> kEndings{".exr", ".png"};
+  check_ending(path, kEndings, flag);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, std::string_view flag) {

@@ -24,12 +24,14 @@ void check(const Scene& scene, const FastOptions& options) {
     throw Error(fmt::format("--multisample must be 1, 2, 4, 6, 8 or 16, got {}", options.samples));
   }
   if (image.samples != 1) {
+    const int nearest = image.samples == 2 ? 4 : image.samples == 3 ? 8 : 16;
     throw Error(
-        fmt::format("view.image.samples must be 1 here, got {}; use --multisample", image.samples));
+        fmt::format("image.samples must be 1 here, got {}; use --multisample {} in its place",
+                    image.samples, nearest));
   }
   if (image.width > kLargestSide || image.height > kLargestSide) {
-    throw Error(fmt::format("view.image must be at most {0} x {0} here, got {1} x {2}",
-                            kLargestSide, image.width, image.height));
+    throw Error(fmt::format("image must be at most {0} x {0} here, got {1} x {2}", kLargestSide,
+                            image.width, image.height));
   }
   const auto* texture = std::get_if<TextureImage>(&scene.texture);
   if (texture && (texture->width > kLargestSide || texture->height > kLargestSide)) {

@@ -1,6 +1,7 @@
 #include "scene/atomic_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,6 +62,12 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
 }
 
 void check_writable(const fs::path& path, std::string_view flag) { AtomicFile(path, flag); }
+
+void check_ending(const fs::path& path, std::span<const std::string_view> endings,
+                  std::string_view flag) {
+  if (std::ranges::count(endings, path.extension().string()) > 0) return;
+  throw Error(fmt::format("{} {} must end in {}", flag, path.string(), fmt::join(endings, " or ")));
+}
 
 void write_file(const fs::path& path, std::string_view bytes, std::string_view flag) {
   const auto write = [&](std::ostream& stream) {

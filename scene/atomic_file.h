@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,10 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, std::
 
 /// Throws the Error of writing to `path` before there is anything to write. Changes nothing.
 void check_writable(const std::filesystem::path& path, std::string_view flag);
+
+/// Throws Error, naming `flag`, unless `path` ends in one of `endings`, each with its dot.
+void check_ending(const std::filesystem::path& path, std::span<const std::string_view> endings,
+                  std::string_view flag);
 
 /// Writes to `path` what `write` writes to the stream that it gets, whole or not at all. What
 /// `write` throws passes.

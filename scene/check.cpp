@@ -92,7 +92,8 @@ class LightCheck {
     check_direction("spot", l.direction);
     check_falloff("spot", l.falloff);
     constexpr double kLeastEdge = 0.1;  // narrower, and float can't tell the two cosines apart
-    if (l.outer_degrees - l.inner_degrees >= kLeastEdge) return;
+    constexpr double kRounded = 1e-9;   // 10.1 - 10 is less than 0.1 in double
+    if (l.outer_degrees - l.inner_degrees >= kLeastEdge - kRounded) return;
     throw Error(fmt::format(
         "{}.spot.outer_degrees must be at least {} more than inner_degrees, got {} and {}", path_,
         kLeastEdge, l.outer_degrees, l.inner_degrees));

@@ -35,6 +35,10 @@ struct Bound {
 inline constexpr Bound kPositive{.min = 0, .open_min = true};
 inline constexpr Bound kNotNegative{.min = 0};
 
+/// Of light and what becomes of it: single precision holds the products and sums of such numbers.
+inline constexpr double kBrightest = 1e6;
+inline constexpr Bound kBrightness{.min = 0, .max = kBrightest};
+
 /// The names of an enumeration's values, in their order.
 inline constexpr std::array<std::string_view, 5> kModelNames{"phong", "blinn-phong", "minnaert",
                                                              "oren-nayar", "cook-torrance"};
@@ -84,7 +88,7 @@ void visit_fields(V& v, Camera& c) {
 template <class V>
 void visit_fields(V& v, LightColor& c) {
   v.color("color", c.rgb, "of the light, r'g'b'");
-  v.number("intensity", c.intensity, kNotNegative, "times the colour");
+  v.number("intensity", c.intensity, kBrightness, "times the colour");
 }
 
 template <class V>
@@ -129,13 +133,14 @@ void visit_fields(V& v, Material& m) {
            "oren-nayar: sigma, radians; cook-torrance: square root of alpha");
   v.number("reflectance", m.reflectance, {.min = 0, .max = 1}, "cook-torrance: head on, F0");
   v.number("darkness", m.darkness, {.min = 0, .max = 10}, "minnaert: exponent, 1 is Lambert");
-  v.number("diffuse", m.diffuse, kNotNegative, "weight of the diffuse term");
-  v.number("specular", m.specular, kNotNegative, "weight of the specular term");
+  v.number("diffuse", m.diffuse, kBrightness, "weight of the diffuse term");
+  v.number("specular", m.specular, kBrightness, "weight of the specular term");
   v.color("ambient_color", m.ambient_color, "of the surface in ambient light");
   v.color("diffuse_color", m.diffuse_color, "of the surface's diffuse term");
   v.color("specular_color", m.specular_color, "of the highlights");
   v.color("emissive", m.emissive, "what the surface sends out by itself");
-  v.number("luma_offset", m.luma_offset, {}, "added to the lit brightness; zero in space rgb");
+  v.number("luma_offset", m.luma_offset, {.min = -kBrightest, .max = kBrightest},
+           "added to the lit brightness; zero in space rgb");
   v.choice("clamp", m.clamp, kClampNames, "clamps of the paper's Table 1, or none");
   v.choice("gamut", m.gamut, kGamutNames, "what becomes of colours outside [0, 1]");
   v.choice("normal", m.normal, kNormalNames, "renormalised a pixel, or as interpolated");
@@ -156,7 +161,7 @@ void visit_fields(V& v, SceneSpec& s) {
   v.one_of("texture", s.texture, "the surface's colour");
   v.object("camera", s.view.camera, "a pinhole camera; right-handed, +Z up");
   v.list("lights", s.view.lights, kMostLights, "the lamps");
-  v.number("ambient", s.view.ambient, kNotNegative, "ambient light");
+  v.number("ambient", s.view.ambient, kBrightness, "ambient light");
   v.color("ambient_color", s.view.ambient_color, "of the ambient light, r'g'b'");
   v.object("material", s.view.material, "how the surface answers the light");
   v.object("image", s.view.image, "the picture's size and samples");

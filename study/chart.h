@@ -95,9 +95,12 @@ struct ChartJob {
 /// Measures what `folder` does not yet hold, and keeps each result there at once: chart.json, and
 /// truth-SPACE-point.exr and -area.exr. `told` gets a line when what it holds is of another scene
 /// or program, and is measured anew. Throws Interrupted, after which the same call goes on, and
-/// Error.
+/// Error; a scene that covers no pixel changes nothing in the folder.
 Chart measure_chart(const ChartJob& job, const std::filesystem::path& folder,
                     const Progress& progress, const std::function<void(const std::string&)>& told);
+
+/// What `folder` keeps of an unfinished chart, and that the same call goes on, in a line.
+std::string chart_standing(const ChartJob& job, const std::filesystem::path& folder);
 
 /// How many of the chart's points have errors and times.
 std::size_t finished_points(const Chart& chart);
@@ -107,7 +110,8 @@ std::size_t finished_points(const Chart& chart);
 std::string chart_json(const Chart& chart);
 std::optional<Chart> chart_from_json(const std::string& text);
 
-/// A row for each point.
+/// A row for each point: name, space, times, errors, and 1 where it is on its space's front, else
+/// 0.
 std::string chart_csv(const Chart& chart);
 
 /// The fronts as text for a terminal.

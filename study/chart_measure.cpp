@@ -8,8 +8,8 @@
 #include "render/truth.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
-#include "scene/fields.h"
 #include "study/chart.h"
+#include "study/chart_kept.h"
 #include "study/chart_keys.h"
 #include "study/chart_others.h"
 #include "study/frame_time.h"
@@ -21,9 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFlag = "--output";
-constexpr std::size_t kSlowRounds = 3;  // frames so slow are few, and far from any other
-constexpr int kSettling = 4;            // times the rounds, at most
-constexpr int kMeshSamples = 8;         // a side, of the area truth of a mesh file
+constexpr int kSettling = 4;     // times the rounds, at most
+constexpr int kMeshSamples = 8;  // a side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
 
 /// A chart being measured in its folder.
@@ -44,33 +43,27 @@ class Measuring {
   }
 
  private:
+  /// Writes nothing: a scene may cover no pixel.
   void begin(const std::function<void(const std::string&)>& told) {
-    const Chart fresh = empty_chart();
-    chart_ = fresh;
-    const fs::path file = folder_ / "chart.json";
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return;
-    const auto old = chart_from_json(read_file(file, "chart.json"));
-    const std::string why = reason_to_start_anew(old, fresh);
-    if (why.empty()) {
-      take_over(*old);
-    } else {
-      told(fmt::format("{} {}: measured anew", file.string(), why));
-      for (const auto& entry : fs::directory_iterator(folder_)) {
-        if (is_truth_file(entry.path())) fs::remove(entry.path());
-      }
+    chart_ = empty_chart();
+    const KeptChart kept = kept_chart(folder_);
+    const std::string why = reason_to_start_anew(kept, chart_.scene_key, chart_.program_key);
+    claimed_ = why.empty();
+    if (claimed_) {
+      take_over(*kept.chart);
+    } else if (kept.there) {
+      told(fmt::format("{} {}: measured anew", (folder_ / kChartFile).string(), why));
     }
   }
 
-  static bool is_truth_file(const fs::path& path) {
-    return path.filename().string().starts_with("truth-") && path.extension() == ".exr";
-  }
-
-  static std::string reason_to_start_anew(const std::optional<Chart>& old, const Chart& fresh) {
-    if (!old) return "is no chart";
-    if (old->scene_key != fresh.scene_key) return "is of another scene";
-    if (old->program_key != fresh.program_key) return "is of another lumaknot or another machine";
-    return {};
+  /// Makes the folder this chart's; what it holds of another goes.
+  void claim_folder() {
+    if (claimed_) return;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (is_truth_file(entry.path())) fs::remove(entry.path());
+    }
+    keep();
+    claimed_ = true;
   }
 
   Chart empty_chart() const {
@@ -114,15 +107,10 @@ class Measuring {
     if (job_.others) chart_.missing = old.missing;
   }
 
-  void keep() { write_file(folder_ / "chart.json", chart_json(chart_), kFlag); }
+  void keep() { write_file(folder_ / kChartFile, chart_json(chart_), kFlag); }
 
   void report(double begin, double end, double share) const {
     if (progress_) progress_(begin + (end - begin) * share);
-  }
-
-  fs::path truth_file(Space space, std::size_t truth) const {
-    return folder_ /
-           fmt::format("truth-{}-{}.exr", kSpaceNames[std::size_t(space)], kTruthNames[truth]);
   }
 
   Image draw_truth_image(Space space, bool area, const Progress& progress) const {
@@ -143,34 +131,44 @@ class Measuring {
     for (const Space space : job_.spaces) {
       for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
         truths_[{space, truth}] = seen(make_truth(space, truth, done++ / count, 1 / count));
-        check_something_is_seen(truths_[{space, truth}].image, truth);
       }
+      if (claimed_) continue;
+      throw Error("the scene covers no pixel; move camera.position, or turn it to camera.target");
     }
     keep();
   }
 
-  static void check_something_is_seen(const Image& image, std::size_t truth) {
-    const auto covered = [](const RgbaPixel& p) { return p.coverage > 0; };
-    if (truth == 0 || std::ranges::any_of(image.pixels, covered)) return;
-    throw Error("the scene covers no pixel; move view.camera, or turn it to view.camera.target");
-  }
-
   /// Read where the folder has it.
   Image make_truth(Space space, std::size_t truth, double begin, double share) {
-    const fs::path file = truth_file(space, truth);
-    std::error_code ignored;
-    if (fs::exists(file, ignored)) {
-      try {
-        return read_image(file, chart_.width, chart_.height);
-      } catch (const std::runtime_error&) {  // drawn again
-      }
-    }
+    const fs::path file = truth_file(folder_, space, truth);
+    if (const auto kept = kept_truth(file)) return *kept;
     Image image = draw_truth_image(space, truth == 1, [&](double part) {
       check_interrupted();
       report(0, kTruthEnd, begin + share * part);
     });
-    write_image(file, image, kFlag);
+    unkept_.emplace_back(file, image);
+    if (claimed_ || covers_something(image)) keep_truths();
     return image;
+  }
+
+  std::optional<Image> kept_truth(const fs::path& file) const {
+    std::error_code ignored;
+    if (!claimed_ || !fs::exists(file, ignored)) return std::nullopt;
+    try {
+      return read_image(file, chart_.width, chart_.height);
+    } catch (const std::runtime_error&) {  // drawn again
+      return std::nullopt;
+    }
+  }
+
+  static bool covers_something(const Image& image) {
+    return std::ranges::any_of(image.pixels, [](const RgbaPixel& p) { return p.coverage > 0; });
+  }
+
+  void keep_truths() {
+    claim_folder();
+    for (const auto& [file, image] : unkept_) write_image(file, image, kFlag);
+    unkept_.clear();
   }
 
   /// The scene with the method's mesh, made once for each grid.
@@ -266,12 +264,6 @@ class Measuring {
     }
   }
 
-  static bool needs_round(const ChartPoint& point, int round) {
-    const std::size_t had = point.ratios.size();
-    if (had > std::size_t(round)) return false;
-    return had < kSlowRounds || median(point.milliseconds) < kSlowFrame;
-  }
-
   /// A renderer made anew, since where its memory lies is part of its time.
   void time_round(ChartPoint& point, MethodRenderer& beside) {
     MethodRenderer renderer(*point.method, scene_of(*point.method), kTimedThreads);
@@ -284,6 +276,8 @@ class Measuring {
   fs::path folder_;
   const Progress& progress_;
   Chart chart_;
+  bool claimed_ = false;                            // the folder holds this chart
+  std::vector<std::pair<fs::path, Image>> unkept_;  // until one of them covers a pixel
   std::map<std::pair<Space, std::size_t>, SeenImage> truths_;
   std::map<std::pair<int, int>, Scene> scenes_;
 };

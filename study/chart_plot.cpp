@@ -112,8 +112,8 @@ std::string front_labels(const Chart& chart, const Metric& metric, std::size_t t
       const ChartPoint& point = chart.points[i];
       const double y = 1 - double(kTop + kPanel + kBelow + kLine * number) / height;
       labels += fmt::format(
-          "set label '{:>2}  {:7.2f} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n",
-          ++number, frame_time(chart, point)->median, (*point.errors[truth]).*metric.value,
+          "set label '{:>2}  {:>7} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n", ++number,
+          shown_time(frame_time(chart, point)->median), (*point.errors[truth]).*metric.value,
           escaped(point.name), truth == 0 ? 0.05 : 0.54, y);
     }
   }

@@ -111,6 +111,34 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
+std::string csv_heads() {
+  std::string errors, fronts;
+  for (const std::string_view truth : kTruthNames) {
+    for (const Metric& metric : kMetrics) {
+      errors += fmt::format(",{} {}", truth, metric.name);
+      fronts += fmt::format(",on {} {} front", truth, metric.name);
+    }
+  }
+  return "name,space,milliseconds,least,most" + errors + fronts + "\n";
+}
+
+/// Whether each point is on its space's front.
+using FrontMembers = std::vector<bool>;
+
+/// By truth and metric, as the heads are.
+std::vector<FrontMembers> front_members(const Chart& chart) {
+  std::vector<FrontMembers> all;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    for (const Metric& metric : kMetrics) {
+      FrontMembers& members = all.emplace_back(chart.points.size());
+      for (const Space space : spaces_in(chart)) {
+        for (const std::size_t i : pareto_front(chart, metric, truth, space)) members[i] = true;
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::span<const Metric> chart_metrics() { return kMetrics; }
@@ -150,13 +178,11 @@ std::optional<Chart> chart_from_json(const std::string& text) {
 }
 
 std::string chart_csv(const Chart& chart) {
-  std::string text = "name,milliseconds,least,most";
-  for (const std::string_view truth : kTruthNames) {
-    for (const Metric& metric : kMetrics) text += fmt::format(",{} {}", truth, metric.name);
-  }
-  text += "\n";
-  for (const ChartPoint& point : chart.points) {
-    text += quoted(point.name);
+  std::string text = csv_heads();
+  const std::vector<FrontMembers> fronts = front_members(chart);
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
+    text += fmt::format("{},{}", quoted(point.name), kSpaceNames[std::size_t(point.space)]);
     const auto time = frame_time(chart, point);
     text += time ? fmt::format(",{},{},{}", time->median, time->least, time->most) : ",,,";
     for (const auto& errors : point.errors) {
@@ -164,6 +190,7 @@ std::string chart_csv(const Chart& chart) {
         text += errors ? fmt::format(",{}", (*errors).*metric.value) : ",";
       }
     }
+    for (const FrontMembers& members : fronts) text += members[i] ? ",1" : ",0";
     text += "\n";
   }
   return text;
@@ -181,9 +208,9 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
       for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
         const ChartPoint& point = chart.points[i];
         const Spread time = *frame_time(chart, point);
-        text +=
-            fmt::format("  {:<{}}  {:>9.3g}  {:>8.2f}  {:.2f}..{:.2f}\n", point.name, kName - 2,
-                        (*point.errors[truth]).*metric.value, time.median, time.least, time.most);
+        text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kName - 2,
+                            (*point.errors[truth]).*metric.value, shown_time(time.median),
+                            shown_time(time.least), shown_time(time.most));
       }
     }
   }

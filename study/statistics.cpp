@@ -1,8 +1,11 @@
 #include "study/statistics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 namespace lumaknot {
 
@@ -33,6 +36,12 @@ double paired_ratio(std::span<const double> above, std::span<const double> below
   ratios.reserve(above.size());
   for (std::size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
   return median(std::move(ratios));
+}
+
+std::string shown_time(double milliseconds) {
+  const double rounded = std::stod(fmt::format("{:.2e}", milliseconds));
+  const int place = rounded > 0 ? int(std::floor(std::log10(rounded))) : 0;
+  return fmt::format("{:.{}f}", milliseconds, std::max(0, 2 - place));
 }
 
 }  // namespace lumaknot

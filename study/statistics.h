@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lumaknot {
@@ -24,5 +25,8 @@ Spread spread_of(std::span<const double> values);
 /// The median of above[i] / below[i]: measurements taken in turns, so that what slows the machine
 /// for a while slows both. As many of each, and not none.
 double paired_ratio(std::span<const double> above, std::span<const double> below);
+
+/// A time for a reader: three digits, and all before the decimal point.
+std::string shown_time(double milliseconds);
 
 }  // namespace lumaknot

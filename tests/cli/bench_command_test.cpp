@@ -67,5 +67,22 @@ TEST_F(Bench, wrong_numbers_and_scenes_are_refused) {
   expect_refused(quick({"--picture", "no/folder/bench.svg"}), "--picture");
 }
 
+TEST_F(Bench, files_of_other_kinds_are_refused_before_anything_is_timed) {
+  const std::vector<std::string> endless{"bench", "small.json", "--seconds", "3600"};
+  for (const bool growth : {false, true}) {
+    const auto refused = [&](const std::string& flag, const std::string& name,
+                             const std::string& part) {
+      std::vector<std::string> arguments = endless;
+      if (growth) arguments.emplace_back("--growth");
+      arguments.insert(arguments.end(), {flag, name});
+      expect_refused(arguments, part);
+    };
+    refused("--picture", "b.png", "--picture b.png must end in .svg");
+    refused("--picture", "b", "--picture b must end in .svg");
+    refused("-o", "table.csv", "--output table.csv must end in .json");
+  }
+  EXPECT_THAT(files(), ::testing::ElementsAre("small.json"));
+}
+
 }  // namespace
 }  // namespace lumaknot

@@ -8,9 +8,11 @@
 namespace lumaknot {
 namespace {
 
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
-using ::testing::Not;
+using ::testing::UnorderedElementsAreArray;
 
 class ChartCommand : public Program {
  protected:
@@ -83,7 +85,9 @@ TEST_F(ChartCommand, ctrl_c_keeps_what_was_measured_and_says_how_to_go_on) {
   process.signal(SIGINT);
   const Ended ended = process.wait(std::chrono::seconds(30));
   EXPECT_EQ(ended.exit_code, 130) << ended.log;
-  EXPECT_THAT(ended.log, HasSubstr("are measured and kept in out; the same command goes on"));
+  EXPECT_THAT(ended.log, ContainsRegex("interrupted; ([0-9]+) of [0-9]+ points and [0-9]+ of 1000 "
+                                       "rounds are measured and kept in out; the same command goes "
+                                       "on"));
   EXPECT_EQ(chart()["complete"], false);
 }
 
@@ -114,7 +118,19 @@ TEST_F(ChartCommand, tells_json_on_request) {
 TEST_F(ChartCommand, a_scene_that_covers_no_pixel_is_refused) {
   write("small.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
                           "image": {"width": 24, "height": 20}})");
-  expect_refused(quick(), "covers no pixel");
+  expect_refused(quick(), "covers no pixel; move camera.position, or turn it to camera.target");
+  EXPECT_THAT(files(), ElementsAre("small.json"));
+}
+
+TEST_F(ChartCommand, a_scene_that_covers_no_pixel_leaves_the_folder_s_chart_alone) {
+  lumaknot(quick());
+  const auto before = written();
+  const std::string chart = read("out/chart.json");
+  write("small.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
+                          "image": {"width": 24, "height": 20}})");
+  EXPECT_EQ(lumaknot(quick()).exit_code, 2);
+  EXPECT_THAT(written(), UnorderedElementsAreArray(before));
+  EXPECT_EQ(read("out/chart.json"), chart);
 }
 
 TEST_F(ChartCommand, wrong_flags_and_places_are_refused) {

@@ -121,6 +121,21 @@ TEST_F(Program, quiet_says_nothing_and_json_is_json) {
   EXPECT_EQ(json["triangles"], 61440);
 }
 
+TEST_F(Program, fast_frames_take_multisample_in_place_of_the_scene_s_samples) {
+  write("scene.json", R"({"image": {"width": 32, "height": 24, "samples": 2}})");
+  expect_refused({"render", "scene.json", "--fast", "-o", "fast.png"},
+                 "image.samples must be 1 here, got 2; use --multisample 4 in its place");
+  for (const std::string samples : {"4", "1"}) {
+    const Ended ended = lumaknot(
+        {"render", "scene.json", "--fast", "--multisample", samples, "-o", samples + ".png"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  }
+  write("scene.json", R"({"image": {"width": 32, "height": 24}})");
+  lumaknot({"render", "scene.json", "--fast", "--multisample", "4", "-o", "plain.png"});
+  EXPECT_EQ(read("4.png"), read("plain.png"));
+  EXPECT_NE(read("4.png"), read("1.png"));
+}
+
 TEST_F(Program, files_of_a_scene_are_looked_for_beside_it) {
   fs::create_directory(path("sub"));
   ASSERT_EQ(lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", "sub/k.obj"}).exit_code, 0);

@@ -196,13 +196,14 @@ TEST(FastLimits, what_it_can_not_draw_is_refused) {
   }
   Scene wide = scene;
   wide.view.image = {16385, 4, 1};
-  EXPECT_EQ(refusal(wide, {}), "view.image must be at most 16384 x 16384 here, got 16385 x 4");
+  EXPECT_EQ(refusal(wide, {}), "image must be at most 16384 x 16384 here, got 16385 x 4");
   Scene long_texture = scene;
   long_texture.texture = TextureImage(16385, 1);
   EXPECT_EQ(refusal(long_texture, {}), "texture must be at most 16384 x 16384 here, got 16385 x 1");
   Scene fine = scene;
   fine.view.image.samples = 2;
-  EXPECT_EQ(refusal(fine, {}), "view.image.samples must be 1 here, got 2; use --multisample");
+  EXPECT_EQ(refusal(fine, {}),
+            "image.samples must be 1 here, got 2; use --multisample 4 in its place");
 }
 
 }  // namespace

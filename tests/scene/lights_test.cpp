@@ -191,6 +191,11 @@ TEST(Lights, a_spot_s_outer_cone_holds_its_inner_one) {
   EXPECT_EQ(cone("20", "20.5"), "");
   EXPECT_THAT(cone("20", "20"), HasSubstr("lights[0].spot.outer_degrees must be at least 0.1"));
   EXPECT_THAT(cone("30", "20"), HasSubstr("got 20 and 30"));
+  for (const auto& [inner, outer] :
+       {std::pair{"10", "10.1"}, {"20", "20.1"}, {"30", "30.1"}, {"44.9", "45"}}) {
+    EXPECT_EQ(cone(inner, outer), "") << inner;  // though in double some are nearer by rounding
+  }
+  EXPECT_THAT(cone("10", "10.09"), HasSubstr("at least 0.1 more than inner_degrees, got 10.09"));
 }
 
 TEST(Lights, check_scene_finds_a_bad_light_behind_good_ones) {

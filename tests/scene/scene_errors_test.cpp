@@ -98,6 +98,25 @@ TEST(SceneErrors, a_number_out_of_range_is_quoted_with_its_range) {
   });
 }
 
+TEST(SceneErrors, light_that_no_float_image_can_hold_is_refused) {
+  expect_refused({
+      {R"({"lights": [{"point": {"intensity": 1e39}}]})", "lights[0].point.intensity", "got 1e+39",
+       "<= 1000000"},
+      {R"({"lights": [{"spot": {"intensity": 1000001}}]})", "lights[0].spot.intensity",
+       "got 1000001", "<= 1000000"},
+      {R"({"lights": [{"directional": {"intensity": 1e39}}]})", "lights[0].directional.intensity",
+       "got 1e+39", "<= 1000000"},
+      {R"({"ambient": 1e39})", "ambient", "got 1e+39", "<= 1000000"},
+      {R"({"material": {"diffuse": 1e39}})", "material.diffuse", "got 1e+39", "<= 1000000"},
+      {R"({"material": {"specular": 1e39}})", "material.specular", "got 1e+39", "<= 1000000"},
+      {R"({"material": {"space": "yiq", "luma_offset": 1e39}})", "material.luma_offset",
+       "got 1e+39", "<= 1000000"},
+      {R"({"material": {"space": "yiq", "luma_offset": -1e39}})", "material.luma_offset",
+       "got -1e+39", ">= -1000000"},
+  });
+  EXPECT_EQ(refusal(R"({"lights": [{"point": {"intensity": 1000000}}]})"), "");
+}
+
 TEST(SceneErrors, integers_that_fit_no_int_or_are_none_are_refused) {
   expect_refused({
       {knot(R"("segments": 99999999999999999999)"), "mesh.knot.segments", "got", "integer"},

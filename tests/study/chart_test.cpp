@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 namespace lumaknot {
 namespace {
 
@@ -122,9 +124,47 @@ TEST(Chart, json_is_read_again_as_it_was) {
 
 TEST(Chart, csv_has_a_row_for_each_point_and_a_field_for_each_number) {
   const std::string csv = chart_csv(chart_of({point("say \"base\"", 0.02, {1})}));
-  EXPECT_THAT(csv, HasSubstr("\"say \"\"base\"\"\",4,4,4,0.02,"));
-  const auto line = csv.substr(0, csv.find('\n'));
-  EXPECT_EQ(std::ranges::count(line, ','), 3 + 2 * std::ssize(chart_metrics()));
+  EXPECT_THAT(csv, HasSubstr("\"say \"\"base\"\"\",rgb,4,4,4,0.02,"));
+  const auto first = csv.substr(0, csv.find('\n')), second = csv.substr(first.size() + 1);
+  EXPECT_EQ(std::ranges::count(first, ','), 4 + 4 * std::ssize(chart_metrics()));
+  EXPECT_EQ(std::ranges::count(second, ','), std::ranges::count(first, ','));
+}
+
+/// The fields of a row, of names without commas.
+std::vector<std::string> fields(std::istream& csv) {
+  std::string line, field;
+  std::getline(csv, line);
+  std::istringstream row(line);
+  std::vector<std::string> all;
+  while (std::getline(row, field, ',')) all.push_back(field);
+  return all;
+}
+
+TEST(Chart, csv_tells_each_point_s_space_and_whether_it_is_on_its_fronts) {
+  Chart chart = chart_of({point("base", 0.02, {1}), point("bad", 0.03, {2}),
+                          point("yiq", 0.04, {3}, Space::kYiq), point("fine", 0.01, {9})});
+  chart.points[3].errors[0].reset();  // so it is on the fronts of the area truth alone
+  std::istringstream csv(chart_csv(chart));
+  const auto heads = fields(csv);
+  const auto column = [&](const std::string& head) {
+    return std::size_t(std::ranges::find(heads, head) - heads.begin());
+  };
+  std::vector<std::string> told;
+  for (int i = 0; i < 4; ++i) {
+    const auto row = fields(csv);
+    told.push_back(row.at(column("space")) + row.at(column("on point rmse front")) +
+                   row.at(column("on area rmse front")));
+  }
+  EXPECT_THAT(told, ElementsAre("rgb11", "rgb00", "yiq11", "rgb01"));
+}
+
+TEST(Chart, text_tells_short_and_long_times_by_three_digits) {
+  Chart chart = chart_of({point("base", 0.02, {1}), point("slow", 0.01, {54321})});
+  chart.points[0].milliseconds = {0.021449};
+  EXPECT_THAT(chart_text(chart, rmse()), HasSubstr("0.0214  0.0214..0.0214"));
+  EXPECT_THAT(chart_text(chart, rmse()), HasSubstr("1165  1165..1165"));
+  chart.points[0].milliseconds = {0.99951};  // rounds up to another digit
+  EXPECT_THAT(chart_text(chart, rmse()), HasSubstr(" 1.00  1.00..1.00"));
 }
 
 TEST(Chart, page_holds_its_data_and_no_script_of_a_name) {
@@ -135,6 +175,14 @@ TEST(Chart, page_holds_its_data_and_no_script_of_a_name) {
   EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
   EXPECT_EQ(page.find("http", page.find("http://www.w3.org/2000/svg") + 4), page.npos)
       << "it needs no network";
+}
+
+TEST(Chart, page_tells_the_fronts_lines_and_tables_apart_by_their_space) {
+  const std::string page = chart_html(chart_of({point("base", 0.02, {1})}), "scene");
+  EXPECT_THAT(page, HasSubstr("<p id=\"lines\""));
+  EXPECT_THAT(page,
+              HasSubstr(R"(mark($("lines"), "line", frontColor(i), true, "front in " + space))"));
+  EXPECT_THAT(page, HasSubstr(R"(mark(title, "line", frontColor(i), true, "In " + space)"));
 }
 
 TEST(Chart, finished_points_have_errors_and_times) {

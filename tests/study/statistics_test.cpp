@@ -36,5 +36,13 @@ TEST(Statistics, a_quantile_is_the_least_value_that_the_share_does_not_exceed) {
   EXPECT_EQ(quantile(values, 1), 4);
 }
 
+TEST(Statistics, a_time_is_shown_by_three_digits_and_never_fewer_before_the_point) {
+  EXPECT_EQ(shown_time(0.021449), "0.0214");
+  EXPECT_EQ(shown_time(0.99951), "1.00");
+  EXPECT_EQ(shown_time(12.345), "12.3");
+  EXPECT_EQ(shown_time(123456.7), "123457");
+  EXPECT_EQ(shown_time(0), "0.00");
+}
+
 }  // namespace
 }  // namespace lumaknot
