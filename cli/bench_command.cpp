@@ -44,6 +44,8 @@ void run(const BenchFlags& flags) {
   if (!flags.output.empty()) check_writable(flags.output, "--output");
   if (!flags.picture.empty()) check_writable(flags.picture, "--picture");
   const SceneInput input = read_scene(flags.scene);
+  if (!flags.output.empty()) check_not_input(flags.output, input, "--output");
+  if (!flags.picture.empty()) check_not_input(flags.picture, input, "--picture");
   const Scene scene = load_scene(input);
   const Told told =
       flags.growth ? growth(scene, input.spec.mesh, flags) : frame_rates(scene, flags);

@@ -83,6 +83,9 @@ void check_gnuplot() {
 void run(const ChartFlags& flags) {
   check_gnuplot();
   const SceneInput input = read_scene(flags.scene);
+  for (const char* file : {"chart.json", "chart.svg", "chart.png", "chart.csv", "chart.html"}) {
+    check_not_input(fs::path(flags.output) / file, input, "--output");
+  }
   ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
                flags.rounds,      !flags.alone,    flags.metric};
   make_output_folder(flags.output, "chart.json");

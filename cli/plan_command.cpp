@@ -47,13 +47,26 @@ double tolerance_of(const std::string& text) {
   throw Error(fmt::format("--tolerance must be a number or a fraction, got {}; say 1/255", text));
 }
 
+/// The name of the texture's copy.
+std::string texture_name(const TextureFile& file) {
+  return "texture" + fs::path(file.path).extension().string();
+}
+
+void check_spares_inputs(const SceneInput& input, const fs::path& folder) {
+  std::vector<std::string> names{"scene.json", "certificate.json", "index.html", "measured.json"};
+  if (const auto* file = std::get_if<TextureFile>(&input.spec.texture)) {
+    names.push_back(texture_name(*file));
+  }
+  for (const std::string& name : names) check_not_input(folder / name, input, "--output");
+}
+
 /// The texture's file beside the smaller scene, which is read from there.
 void copy_texture(const SceneInput& input, const fs::path& folder, SceneSpec& lean) {
   auto* file = std::get_if<TextureFile>(&lean.texture);
   if (!file) return;
-  const fs::path name = "texture" + fs::path(file->path).extension().string();
+  const std::string name = texture_name(*file);
   write_file(folder / name, read_file(input.folder / file->path, "texture.file"), "--output");
-  file->path = name.string();
+  file->path = name;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -81,6 +94,7 @@ int run(const PlanFlags& flags) {
   const Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
   check_tolerance(tolerance, false);
   const SceneInput input = read_scene(flags.scene);
+  check_spares_inputs(input, flags.output);
   const PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
   check_plan(job);
   make_output_folder(flags.output, "scene.json");

@@ -107,6 +107,9 @@ int exit_code_of(Verdict verdict) {
 
 int run(ValidateFlags flags) {
   const SceneInput input = read_scene(flags.scene);
+  for (const char* file : {"report.json", "report.html"}) {
+    check_not_input(fs::path(flags.output) / file, input, "--output");
+  }
   check_samples(input.spec.view.image, kMostSamples);
   ValidationJob job{sample_by_sample(load_scene(input)),
                     finals(input.spec.view.material, flags.models), flags.renderers,

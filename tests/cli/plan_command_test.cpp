@@ -72,6 +72,29 @@ TEST_F(PlanCommand, takes_the_texture_along) {
   EXPECT_EQ(nlohmann::json::parse(read("out/scene.json"))["texture"]["file"], "texture.png");
 }
 
+TEST_F(PlanCommand, its_own_scene_and_texture_are_never_overwritten) {
+  fs::create_directory(path("own"));
+  lumaknot({"render", "figure2", "--fast", "-o", "own/texture.png"});
+  write("own/scene.json",
+        R"({"texture": {"file": "texture.png"}, "image": {"width": 32, "height": 24}})");
+  const std::string scene = read("own/scene.json"), texture = read("own/texture.png");
+  expect_refused({"plan", "own/scene.json", "-o", "own"}, "would overwrite the scene");
+  fs::rename(path("own/scene.json"), path("own/mine.json"));
+  expect_refused({"plan", "own/mine.json", "-o", "own"}, "would overwrite the texture.file");
+  fs::create_directory(path("links"));
+  fs::create_symlink("../own/mine.json", path("links/certificate.json"));
+  expect_refused({"plan", "own/mine.json", "-o", "links/."}, "would overwrite the scene");
+  EXPECT_EQ(read("own/mine.json"), scene);
+  EXPECT_EQ(read("own/texture.png"), texture);
+  EXPECT_FALSE(fs::exists(path("own/measured.json")));
+}
+
+TEST_F(PlanCommand, may_be_made_again_in_its_own_folder) {
+  lumaknot(quick());
+  EXPECT_EQ(lumaknot(quick()).exit_code, 0);
+  expect_refused({"plan", "out/scene.json", "-o", "out"}, "would overwrite the scene");
+}
+
 TEST_F(PlanCommand, tells_json_alone_on_request) {
   const Ended ended = lumaknot(quick({"--json"}));
   EXPECT_EQ(nlohmann::json::parse(ended.log), certificate());
