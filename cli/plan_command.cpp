@@ -37,14 +37,15 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-/// "0.004", or a fraction: "1/255".
+/// "0.004", or a fraction of a number > 0: "1/255".
 double tolerance_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto above = number_of(std::string_view(text).substr(0, slash));
   const auto below =
       slash == std::string::npos ? 1 : number_of(std::string_view(text).substr(slash + 1));
-  if (above && below) return *above / *below;
-  throw Error(fmt::format("--tolerance must be a number or a fraction, got {}; say 1/255", text));
+  if (above && below && *below > 0) return *above / *below;
+  throw Error(
+      fmt::format("--tolerance must be a number or a fraction > 0, got {}; say 1/255", text));
 }
 
 /// The name of the texture's copy.

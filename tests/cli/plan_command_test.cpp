@@ -148,6 +148,12 @@ TEST_F(PlanCommand, tolerances_that_mean_nothing_are_refused) {
   for (const char* wrong : {"0", "-1/255", "nan", "inf", "1/0", "0/0", "one", "1/", "", "1/2/3"}) {
     expect_refused(quick({std::string("--tolerance=") + wrong}), "--tolerance");
   }
+  for (const char* wrong : {"1", "5", "255/255", "255/1"}) {
+    expect_refused(quick({"--tolerance", wrong}), "--tolerance must be > 0 and < 1");
+  }
+  for (const char* wrong : {"0/0", "-1/-255", "1/0", "1/-255"}) {
+    expect_refused(quick({std::string("--tolerance=") + wrong}), std::string("got ") + wrong);
+  }
   expect_refused(quick({"--tolerance", "1e-9"}), "finer than the truth");
   write("small.json", R"({"image": {"width": 32, "height": 24, "samples": 2}})");
   expect_refused(quick({"--tolerance", "5e-5"}), "finer than the truth");

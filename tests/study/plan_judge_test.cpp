@@ -128,7 +128,7 @@ TEST(Judge, refuses_a_scene_that_covers_no_pixel) {
 }
 
 TEST(Tolerance, that_no_picture_can_be_held_to_is_refused) {
-  for (const double color : {0.0, -1.0, 1e-8, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double color : {0.0, -1.0, 1e-8, 1.0, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(check_tolerance({color, 0.25}, false), Error);
   }
   EXPECT_THROW(check_tolerance({5e-5, 0.25}, true), Error);
