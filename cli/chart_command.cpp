@@ -88,7 +88,7 @@ void run(const ChartFlags& flags) {
   }
   ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
                flags.rounds,      !flags.alone,    flags.metric};
-  make_output_folder(flags.output, "chart.json");
+  const OutputFolder made(flags.output, "chart.json");
   try {
     const Chart chart =
         measure_chart(job, flags.output, progress_bar(flags.out, "chart"),

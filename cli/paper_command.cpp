@@ -34,7 +34,7 @@ std::string where_it_stands(const fs::path& folder) {
 }
 
 void run(PaperFlags flags) {
-  make_output_folder(flags.output, "index.html");
+  const OutputFolder made(flags.output, "index.html");
   flags.job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   flags.job.rates.peers = !flags.alone;
   flags.job.formula_seconds = 12 * flags.job.rates.seconds;

@@ -98,7 +98,7 @@ int run(const PlanFlags& flags) {
   check_spares_inputs(input, flags.output);
   const PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
   check_plan(job);
-  make_output_folder(flags.output, "scene.json");
+  const OutputFolder made(flags.output, "scene.json");
   try {
     Plan plan =
         make_plan(job, flags.output, progress_bar(flags.out, "plan"),

@@ -116,7 +116,7 @@ int run(ValidateFlags flags) {
                     flags.programs};
   check_number("--time-limit", flags.time_limit, kPositive);
   job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
-  make_output_folder(flags.output, "report.html");
+  const OutputFolder made(flags.output, "report.html");
   const bool tells = isatty(STDERR_FILENO) && !flags.out.quiet;
   const Validation validation = validate(job, [&](const std::string& line) {
     if (tells) fmt::print(stderr, "{}\n", line);

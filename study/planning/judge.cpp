@@ -9,6 +9,7 @@
 #include "render/truth.h"
 #include "scene/error.h"
 #include "study/method.h"
+#include "study/nothing_seen.h"
 
 namespace lumaknot {
 namespace {
@@ -71,7 +72,7 @@ Judge::Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
   }
   const auto covered = [](const RgbaPixel& p) { return p.coverage > 0; };
   if (std::ranges::none_of(truth_.pixels, covered)) {
-    throw Error("the scene covers no pixel; move camera.position, or turn it to camera.target");
+    throw Error(kNothingSeen);
   }
 }
 

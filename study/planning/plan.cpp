@@ -10,6 +10,7 @@
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 #include "study/chart_keys.h"
+#include "study/nothing_seen.h"
 #include "validate/process.h"
 
 namespace lumaknot {
@@ -84,7 +85,7 @@ class Planning {
 
   void plan_with(const Judge& judge, Notebook& notebook) {
     const std::vector<Fragment> seen = covered(judge.fragments());
-    if (seen.empty()) throw Error("the scene covers no pixel's centre; move the camera nearer");
+    if (seen.empty()) throw Error(kNothingSeen);
     plan_.tolerance = job_.tolerance;
     plan_.area = judge.area();
     plan_.share = kDroppedShare * job_.tolerance.color;

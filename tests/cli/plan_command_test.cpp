@@ -8,6 +8,7 @@
 namespace lumaknot {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -164,7 +165,14 @@ TEST_F(PlanCommand, tolerances_that_mean_nothing_are_refused) {
 TEST_F(PlanCommand, scenes_without_a_pixel_or_an_exact_surface_are_refused) {
   write("nothing.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
                             "image": {"width": 24, "height": 20}})");
-  expect_refused({"plan", "nothing.json", "-o", "out"}, "covers no pixel");
+  for (const char* command : {"plan", "budget"}) {
+    expect_refused({command, "nothing.json"}, "covers no pixel's centre; move camera.position");
+  }
+  expect_refused({"plan", "nothing.json", "-o", "new/out"}, "covers no pixel");
+  EXPECT_THAT(files(), ElementsAre("nothing.json", "small.json")) << "no empty folder";
+  fs::create_directories(path("old/out"));
+  expect_refused({"plan", "nothing.json", "-o", "old/out"}, "covers no pixel");
+  EXPECT_TRUE(fs::exists(path("old/out")));
   write("three.json", R"({"mesh": {"knot": {"convention": "three"}}})");
   expect_refused({"plan", "three.json", "-o", "out"}, "three");
   lumaknot({"mesh", "--segments", "24", "--sides", "6", "-o", "knot.obj"});
