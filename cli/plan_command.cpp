@@ -91,6 +91,14 @@ void write_all(const SceneInput& input, Plan& plan, const PlanFlags& flags) {
   flags.out.say(fmt::format("see {}", (folder / "index.html").string()));
 }
 
+std::string where_it_stands(const PlanJob& job, const std::string& folder) {
+  const std::size_t kept = measured_choices(job, folder);
+  if (kept == 0) return "interrupted; nothing is kept yet";
+  return fmt::format(
+      "interrupted; {} choices are measured and kept in {}; the same command goes on", kept,
+      folder);
+}
+
 int run(const PlanFlags& flags) {
   const Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
   check_tolerance(tolerance, false);
@@ -106,10 +114,7 @@ int run(const PlanFlags& flags) {
     write_all(input, plan, flags);
     return plan.met ? kExitAgreed : kExitDiffered;
   } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
-    fmt::print(stderr,
-               "lumaknot: interrupted; {} choices are measured and kept in {}; the same command "
-               "goes on\n",
-               measured_choices(flags.output), flags.output);
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(job, flags.output));
     throw;
   }
 }

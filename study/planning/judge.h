@@ -36,7 +36,7 @@ class Judge {
  public:
   /// The scene on the exact surface of `knot`, in the material's own space with unit normals. What
   /// a pixel is: its centre where the scene has one sample a pixel, else the mean over its square.
-  /// Throws Error as ExactTube, and when no pixel is covered.
+  /// Throws Error as ExactTube, and when no pixel is covered; Interrupted, as what follows does.
   Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
         const Progress& progress = {});
   Judge(const Judge&) = delete;
@@ -56,6 +56,7 @@ class Judge {
 
  private:
   PixelErrors examine(const Image& picture, bool all) const;
+  void look_at_centres();
   void take_centres();
   void take_means(const Progress& progress);
   double quick_error(std::size_t pixel, const Sample& sample) const;

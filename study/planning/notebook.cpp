@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "scene/atomic_file.h"
 
@@ -58,6 +59,15 @@ void Notebook::read() {
 void Notebook::add(const std::string& name, const FrameRound& round) {
   rounds_[name].push_back(round);
   keep_at_times();
+}
+
+std::size_t Notebook::size() const {
+  std::set<std::string> names;
+  for (const auto& [name, judgement] : judgements_) names.insert(name);
+  for (const auto& [name, rounds] : rounds_) {
+    if (!rounds.empty()) names.insert(name);
+  }
+  return names.size();
 }
 
 void Notebook::keep_at_times() {

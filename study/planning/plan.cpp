@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "scene/atomic_file.h"
 #include "scene/error.h"
 #include "study/chart_keys.h"
 #include "study/nothing_seen.h"
@@ -18,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kNotebook = "measured.json";
 constexpr double kDroppedShare = 0.25;  // of the tolerance
 constexpr double kTruthEnd = 0.2, kSearchEnd = 0.5, kTimesEnd = 0.55;
 
@@ -60,15 +59,15 @@ class Planning {
   Plan run(const std::function<void(const std::string&)>& told) {
     check_plan(job_);
     const Judge judge(job_.scene, knot_, job_.tolerance, part(0, kTruthEnd));
-    Notebook notebook(folder_ / "measured.json", key_of(job_));
+    Notebook notebook(folder_ / kNotebook, key_of(job_));
     if (notebook.started_anew()) {
       told(fmt::format("{} is of another scene, tolerance or lumaknot: measured anew",
-                       (folder_ / "measured.json").string()));
+                       (folder_ / kNotebook).string()));
     }
     try {
       plan_with(judge, notebook);
     } catch (const Interrupted&) {
-      notebook.save();
+      if (notebook.size() > 0) notebook.save();
       throw;
     }
     notebook.save();
@@ -148,7 +147,7 @@ class Planning {
     PixelErrors errors = judge.judge_all(plan_.after);
     plan_.chosen.judgement = errors.judgement;
     plan_.errors = error_picture(errors.errors, job_.tolerance.color);
-    plan_.before = render(job_.scene);
+    plan_.before = render(job_.scene, [](double) { check_interrupted(); });
     plan_.lean = lean_spec(method);
   }
 
@@ -182,12 +181,8 @@ Plan make_plan(const PlanJob& job, const fs::path& folder, const Progress& progr
   return Planning(job, folder, progress).run(told);
 }
 
-std::size_t measured_choices(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::path file = folder / "measured.json";
-  if (!fs::exists(file, ignored)) return 0;
-  const auto json = nlohmann::json::parse(read_file(file, "measured.json"), nullptr, false);
-  return json.is_object() && json.contains("judgements") ? json["judgements"].size() : 0;
+std::size_t measured_choices(const PlanJob& job, const fs::path& folder) {
+  return Notebook(folder / kNotebook, key_of(job)).size();
 }
 
 std::vector<std::string> render_arguments(const Method& method) {

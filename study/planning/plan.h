@@ -58,8 +58,8 @@ void check_plan(const PlanJob& job);
 Plan make_plan(const PlanJob& job, const std::filesystem::path& folder, const Progress& progress,
                const std::function<void(const std::string&)>& told);
 
-/// How many choices `folder`/measured.json holds.
-std::size_t measured_choices(const std::filesystem::path& folder);
+/// How many choices of this job `folder`/measured.json holds.
+std::size_t measured_choices(const PlanJob& job, const std::filesystem::path& folder);
 
 /// The arguments of `lumaknot render SCENE -o PICTURE` that draw the plan's scene as planned.
 std::vector<std::string> render_arguments(const Method& method);

@@ -121,7 +121,8 @@ void Workshop::time_reference(int rounds) {
   oneapi::tbb::task_arena arena(kTimedThreads);
   const std::size_t enough = std::min(std::size_t(rounds), kSlowRounds);
   while (notebook_.rounds(kReference).size() < enough) {
-    round(kReference, [&] { arena.execute([&] { render(scene_); }); });
+    round(kReference,
+          [&] { arena.execute([&] { render(scene_, [](double) { check_interrupted(); }); }); });
   }
 }
 

@@ -139,6 +139,21 @@ TEST_F(PlanCommand, ctrl_c_keeps_what_was_measured_and_the_same_command_goes_on)
   for (const auto& [name, judgement] : kept.items()) EXPECT_EQ(after[name], judgement);
 }
 
+TEST_F(PlanCommand, ctrl_c_before_anything_is_measured_says_so_and_keeps_no_folder) {
+  write("large.json", R"({"image": {"width": 3000, "height": 2400}})");
+  Process process(
+      {{LUMAKNOT_PROGRAM, "plan", "large.json", "-o", "out"}, folder_.path(), sanitizer_options()});
+  for (int tries = 0; tries < 1000 && !fs::exists(path("out")); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  process.signal(SIGINT);
+  const Ended ended = process.wait(std::chrono::seconds(30));
+  EXPECT_EQ(ended.exit_code, 130) << ended.log;
+  EXPECT_THAT(ended.log, HasSubstr("interrupted; nothing is kept yet"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_F(PlanCommand, another_tolerance_is_measured_anew_and_said_so) {
   lumaknot(quick());
   EXPECT_THAT(lumaknot(quick({"--tolerance", "0.02"})).log, HasSubstr("measured anew"));

@@ -200,6 +200,16 @@ TEST_F(Plans, measure_nothing_again_that_the_folder_holds) {
   EXPECT_THAT(told_, HasSubstr("measured anew"));
 }
 
+TEST_F(Plans, count_as_kept_what_is_of_the_same_scene_and_tolerance) {
+  const SceneSpec spec = small_spec(32);
+  PlanJob job{made(spec), spec, {}, false, 1};
+  EXPECT_EQ(measured_choices(job, folder_.path()), 0u);
+  const Plan p = plan(spec);
+  EXPECT_GE(measured_choices(job, folder_.path()), p.choices.size());
+  job.tolerance.color = 0.02;
+  EXPECT_EQ(measured_choices(job, folder_.path()), 0u);
+}
+
 TEST_F(Plans, errors_by_part_stay_below_what_is_predicted) {
   SceneSpec spec = small_spec(64);
   spec.texture = Bricks{};
