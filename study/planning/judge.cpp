@@ -142,7 +142,8 @@ Judge::Found Judge::full_error(std::size_t pixel, const Sample& sample) const {
 }
 
 PixelErrors Judge::examine(const Image& picture, bool all) const {
-  PixelErrors result{{}, Grid<float>(picture.width, picture.height)};
+  const Grid<float> none(picture.width, picture.height);
+  PixelErrors result{{}, none, none};
   Judgement& judgement = result.judgement;
   std::vector<std::size_t> far;  // in place
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -151,9 +152,12 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
     const double error =
         range_about(sample_of(truth_.pixels[i]), 0).distance(sample_of(picture.pixels[i]));
     judgement.in_place = std::max(judgement.in_place, error);
+    judgement.mean_in_place += error;
+    result.in_place.pixels[i] = float(error);
     far.push_back(i);
     if (!(error <= tolerance_.color)) ++judgement.shifted;
   }
+  if (judgement.covered > 0) judgement.mean_in_place /= double(judgement.covered);
   std::atomic<long long> hidden = 0;
   each(far, [&](std::size_t i) {
     result.errors.pixels[i] = float(quick_error(i, sample_of(picture.pixels[i])));

@@ -16,6 +16,7 @@ constexpr double kMostError = 1e9;  // what is no number is kept as this
 Json judgement_json(const Judgement& j) {
   return {{"error", std::min(j.error, kMostError)},
           {"in_place", std::min(j.in_place, kMostError)},
+          {"mean_in_place", std::min(j.mean_in_place, kMostError)},
           {"covered", j.covered},
           {"shifted", j.shifted},
           {"hidden", j.hidden},
@@ -24,8 +25,8 @@ Json judgement_json(const Judgement& j) {
 }
 
 Judgement judgement_from(const Json& json) {
-  return {json.at("error"),  json.at("in_place"), json.at("covered"), json.at("shifted"),
-          json.at("hidden"), json.at("failing"),  json.at("met")};
+  return {json.at("error"),   json.at("in_place"), json.at("mean_in_place"), json.at("covered"),
+          json.at("shifted"), json.at("hidden"),   json.at("failing"),       json.at("met")};
 }
 
 }  // namespace

@@ -146,7 +146,9 @@ class Planning {
     plan_.after = workshop.draw(method);
     PixelErrors errors = judge.judge_all(plan_.after);
     plan_.chosen.judgement = errors.judgement;
+    plan_.in_place = error_picture(errors.in_place, job_.tolerance.color);
     plan_.errors = error_picture(errors.errors, job_.tolerance.color);
+    plan_.fast = judge.judge(workshop.draw_beside());
     plan_.before = render(job_.scene, [](double) { check_interrupted(); });
     plan_.lean = lean_spec(method);
   }

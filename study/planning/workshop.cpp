@@ -64,6 +64,12 @@ Image Workshop::draw(const Method& method) {
   return MethodRenderer(method, scene_of(method)).image();
 }
 
+Image Workshop::draw_beside() const {
+  Image image;
+  as_it_is(scene_).draw(image);
+  return image;
+}
+
 const Judgement& Workshop::judgement(const Method& method) {
   return notebook_.judgement(method_name(method), [&] {
     check_interrupted();
