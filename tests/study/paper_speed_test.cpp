@@ -61,7 +61,7 @@ TEST(PaperSpeed, what_turns_on_noise_is_not_decided) {
   const PaperClaim cost = cost_claim(std::vector{noisy(0.01), noisy(0.15)}, paper_rows());
   EXPECT_EQ(ruling_of(cost), Ruling::kHolds) << "of the most alone";
   EXPECT_FALSE(measure(cost, "least cost here").is_bound());
-  EXPECT_THAT(cost.beyond, ::testing::HasSubstr("the least cost here is from -1 to 3 %"));
+  EXPECT_THAT(cost.beyond, ::testing::HasSubstr("the least cost here is from -1.5 to 3.5 %"));
   EXPECT_EQ(ruling_of(cost_claim(std::vector{noisy(0.01)}, paper_rows())), Ruling::kNotMeasurable);
 }
 
