@@ -113,6 +113,11 @@ TEST_F(Program, nothing_overwrites_what_a_scene_is_read_from) {
   expect_refused({"validate", "report.json", "-o", "."}, "would overwrite the scene");
   expect_refused({"chart", "report.json", "-o", "."}, "chart.csv would overwrite the scene");
   EXPECT_EQ(files(), before);
+  fs::copy_file(path("report.json"), path("parameters.json"));
+  expect_refused(
+      {"shader", "--scene", "parameters.json", "--lang", "glsl-330", "-o", ".", "--quiet"},
+      "parameters.json would overwrite the scene");
+  EXPECT_EQ(read("parameters.json"), scene);
   EXPECT_EQ(read("report.json"), scene);
   EXPECT_EQ(read("wall.png"), wall);
   EXPECT_EQ(read("knot.obj"), knot);
