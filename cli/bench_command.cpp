@@ -51,6 +51,8 @@ void run(const BenchFlags& flags) {
   check_place(flags.output, ".json", "--output");
   check_place(flags.picture, ".svg", "--picture");
   const SceneInput input = read_scene(flags.scene);
+  if (!flags.output.empty()) check_not_input(flags.output, input, "--output");
+  if (!flags.picture.empty()) check_not_input(flags.picture, input, "--picture");
   const Scene scene = load_scene(input);
   const Told told =
       flags.growth ? growth(scene, input.spec.mesh, flags) : frame_rates(scene, flags);

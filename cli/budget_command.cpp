@@ -26,6 +26,7 @@ void run(const BudgetFlags& flags) {
     check_writable(flags.picture, "--output");
   }
   const SceneInput input = read_scene(flags.scene);
+  if (!flags.picture.empty()) check_not_input(flags.picture, input, "--output");
   const auto* knot = std::get_if<KnotSpec>(&input.spec.mesh);
   if (!knot) throw Error("a budget needs mesh.knot: a mesh file has no exact surface");
   const ErrorBudget budget =

@@ -72,11 +72,12 @@ void check_gnuplot() {
 void run(const ChartFlags& flags) {
   check_gnuplot();
   const SceneInput input = read_scene(flags.scene);
+  for (const char* file : {"chart.json", "chart.svg", "chart.png", "chart.csv", "chart.html"}) {
+    check_not_input(fs::path(flags.output) / file, input, "--output");
+  }
   ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
                flags.rounds,      !flags.alone,    flags.metric};
-  std::error_code ignored;
-  const bool was_there = fs::exists(flags.output, ignored);
-  make_output_folder(flags.output, "chart.json");
+  const OutputFolder made(flags.output, "chart.json");
   try {
     const Chart chart =
         measure_chart(job, flags.output, progress_bar(flags.out, "chart"),
@@ -88,9 +89,6 @@ void run(const ChartFlags& flags) {
                               (fs::path(flags.output) / "chart.html").string()));
   } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
     fmt::print(stderr, "lumaknot: interrupted; {}\n", chart_standing(job, flags.output));
-    throw;
-  } catch (const Error&) {
-    if (!was_there) fs::remove(flags.output, ignored);  // unless something is kept
     throw;
   }
 }

@@ -34,48 +34,67 @@ fs::path folder_of(const fs::path& output) {
   return output.has_parent_path() ? output.parent_path() : fs::path(".");
 }
 
-std::vector<std::string> write(const ExportFlags& flags, const Package& package) {
-  write_package(folder_of(flags.output), package, "--output");
+/// A scene to export, and what it was read from.
+struct Job {
+  const SceneInput& input;
+  const Scene& scene;
+  const ExportFlags& flags;
+};
+
+std::string stem_of(const Job& job) { return fs::path(job.flags.output).stem().string(); }
+
+void check_spares_inputs(const Package& package, const Job& job) {
+  for (const PackedFile& file : package) {
+    check_not_input(folder_of(job.flags.output) / file.name, job.input, "--output");
+  }
+}
+
+std::vector<std::string> write(const Job& job, const Package& package) {
+  check_spares_inputs(package, job);
+  write_package(folder_of(job.flags.output), package, "--output");
   std::vector<std::string> names;
   for (const PackedFile& file : package) names.push_back(file.name);
   return names;
 }
 
-std::vector<std::string> export_pov(const Scene& scene, const ExportFlags& flags) {
-  const Package package = pov_package(scene, fs::path(flags.output).stem().string());
-  if (const auto shortfall = pov_shortfall(scene.view, final_shot(scene));
-      shortfall && !flags.out.quiet) {
+std::vector<std::string> export_pov(const Job& job) {
+  const Package package = pov_package(job.scene, stem_of(job));
+  if (const auto shortfall = pov_shortfall(job.scene.view, final_shot(job.scene));
+      shortfall && !job.flags.out.quiet) {
     fmt::print(stderr, "lumaknot: note: {}; the scene draws without\n", *shortfall);
   }
-  return write(flags, package);
+  return write(job, package);
 }
 
-std::vector<std::string> export_python(const Scene& scene, const ExportFlags& flags) {
-  const Shot shot = final_shot(scene);
-  return write(flags, blender_package(scene, {&shot, 1}, fs::path(flags.output).stem().string()));
+std::vector<std::string> export_python(const Job& job) {
+  const Shot shot = final_shot(job.scene);
+  return write(job, blender_package(job.scene, {&shot, 1}, stem_of(job)));
 }
 
-std::vector<std::string> export_obj(const Scene& scene, const ExportFlags& flags) {
-  return write_obj_scene(flags.output, scene, "--output");
+std::vector<std::string> export_obj(const Job& job) {
+  const Package materials = obj_materials(job.scene, stem_of(job));
+  check_spares_inputs(materials, job);
+  return write_obj_scene(job.flags.output, job.scene.mesh, materials, "--output");
 }
 
 /// A .blend file holds all that it needs; Blender itself makes it.
-std::vector<std::string> export_blend(const Scene& scene, const ExportFlags& flags) {
-  save_blend(scene, final_shot(scene), flags.output, flags.programs, "--output");
+std::vector<std::string> export_blend(const Job& job) {
+  const ExportFlags& flags = job.flags;
+  save_blend(job.scene, final_shot(job.scene), flags.output, flags.programs, "--output");
   return {fs::path(flags.output).filename().string()};
 }
 
 /// Writes what `make` makes of the scene: glb_package() or gltf_package().
 template <Package make(const Scene&, const std::string&)>
-std::vector<std::string> export_gltf(const Scene& scene, const ExportFlags& flags) {
-  const Package package = make(scene, fs::path(flags.output).stem().string());
-  if (!flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", kGltfShortfall);
-  return write(flags, package);
+std::vector<std::string> export_gltf(const Job& job) {
+  const Package package = make(job.scene, stem_of(job));
+  if (!job.flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", kGltfShortfall);
+  return write(job, package);
 }
 
 struct Format {
   std::string_view extension;
-  std::vector<std::string> (*write)(const Scene&, const ExportFlags&);
+  std::vector<std::string> (*write)(const Job&);
 };
 constexpr Format kFormats[] = {
     {".pov", export_pov},
@@ -98,8 +117,10 @@ void run(const ExportFlags& flags) {
   const Format& format = format_of(flags.output);
   check_package_name(flags.output, "--output");
   check_writable(flags.output, "--output");
-  const Scene scene = load_scene(read_scene(flags.scene));
-  const std::vector<std::string> files = format.write(scene, flags);
+  const SceneInput input = read_scene(flags.scene);
+  check_not_input(flags.output, input, "--output");
+  const Scene scene = load_scene(input);
+  const std::vector<std::string> files = format.write({input, scene, flags});
   if (flags.out.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));
   for (const std::string& file : files) flags.out.say((folder_of(flags.output) / file).string());
 }

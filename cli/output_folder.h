@@ -2,11 +2,25 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace lumaknot {
 
-/// Makes `folder` where it is not there, and throws Error naming --output unless `file` could be
-/// written into it.
-void make_output_folder(const std::filesystem::path& folder, const std::string& file);
+/// A folder that is there while it lives; what of it was made here goes with it when nothing was
+/// written.
+class OutputFolder {
+ public:
+  /// Throws Error naming --output unless `file` could be written into it.
+  OutputFolder(const std::filesystem::path& folder, const std::string& file);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+ private:
+  void remove_what_is_empty() const;
+
+  std::vector<std::filesystem::path> made_;  ///< the innermost first
+};
 
 }  // namespace lumaknot

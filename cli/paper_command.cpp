@@ -25,16 +25,16 @@ struct PaperFlags {
   Output out;
 };
 
-std::string where_it_stands(const fs::path& folder) {
-  const int kept = kept_lights(folder);
-  if (kept == 0) return "interrupted; nothing is kept yet";
+std::string where_it_stands(const PaperJob& job, const fs::path& folder) {
+  const int kept = kept_lights(job, folder);
+  if (kept == 0) return "interrupted; the same command begins anew";
   return fmt::format(
       "interrupted; the pictures of {} of 2 lights are kept in {}; the same command goes on", kept,
       (folder / "images").string());
 }
 
 void run(PaperFlags flags) {
-  make_output_folder(flags.output, "index.html");
+  const OutputFolder made(flags.output, "index.html");
   flags.job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   flags.job.rates.peers = !flags.alone;
   flags.job.formula_seconds = 12 * flags.job.rates.seconds;
@@ -50,7 +50,7 @@ void run(PaperFlags flags) {
     flags.out.say(
         fmt::format("{} claims; see {}", result.claims.size(), (folder / "index.html").string()));
   } catch (const Interrupted&) {
-    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(folder));
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(flags.job, folder));
     throw;
   }
 }

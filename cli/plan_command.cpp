@@ -37,23 +37,37 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-/// "0.004", or a fraction: "1/255".
+/// "0.004", or a fraction of a number > 0: "1/255".
 double tolerance_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto above = number_of(std::string_view(text).substr(0, slash));
   const auto below =
       slash == std::string::npos ? 1 : number_of(std::string_view(text).substr(slash + 1));
-  if (above && below) return *above / *below;
-  throw Error(fmt::format("--tolerance must be a number or a fraction, got {}; say 1/255", text));
+  if (above && below && *below > 0) return *above / *below;
+  throw Error(
+      fmt::format("--tolerance must be a number or a fraction > 0, got {}; say 1/255", text));
+}
+
+/// The name of the texture's copy.
+std::string texture_name(const TextureFile& file) {
+  return "texture" + fs::path(file.path).extension().string();
+}
+
+void check_spares_inputs(const SceneInput& input, const fs::path& folder) {
+  std::vector<std::string> names{"scene.json", "certificate.json", "index.html", "measured.json"};
+  if (const auto* file = std::get_if<TextureFile>(&input.spec.texture)) {
+    names.push_back(texture_name(*file));
+  }
+  for (const std::string& name : names) check_not_input(folder / name, input, "--output");
 }
 
 /// The texture's file beside the smaller scene, which is read from there.
 void copy_texture(const SceneInput& input, const fs::path& folder, SceneSpec& lean) {
   auto* file = std::get_if<TextureFile>(&lean.texture);
   if (!file) return;
-  const fs::path name = "texture" + fs::path(file->path).extension().string();
+  const std::string name = texture_name(*file);
   write_file(folder / name, read_file(input.folder / file->path, "texture.file"), "--output");
-  file->path = name.string();
+  file->path = name;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -77,13 +91,22 @@ void write_all(const SceneInput& input, Plan& plan, const PlanFlags& flags) {
   flags.out.say(fmt::format("see {}", (folder / "index.html").string()));
 }
 
+std::string where_it_stands(const PlanJob& job, const std::string& folder) {
+  const std::size_t kept = measured_choices(job, folder);
+  if (kept == 0) return "interrupted; nothing is kept yet";
+  return fmt::format(
+      "interrupted; {} choices are measured and kept in {}; the same command goes on", kept,
+      folder);
+}
+
 int run(const PlanFlags& flags) {
   const Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
   check_tolerance(tolerance, false);
   const SceneInput input = read_scene(flags.scene);
+  check_spares_inputs(input, flags.output);
   const PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
   check_plan(job);
-  make_output_folder(flags.output, "scene.json");
+  const OutputFolder made(flags.output, "scene.json");
   try {
     Plan plan =
         make_plan(job, flags.output, progress_bar(flags.out, "plan"),
@@ -91,10 +114,7 @@ int run(const PlanFlags& flags) {
     write_all(input, plan, flags);
     return plan.met ? kExitAgreed : kExitDiffered;
   } catch (const Interrupted&) {  // told here: what interrupted it ends the program soon
-    fmt::print(stderr,
-               "lumaknot: interrupted; {} choices are measured and kept in {}; the same command "
-               "goes on\n",
-               measured_choices(flags.output), flags.output);
+    fmt::print(stderr, "lumaknot: {}\n", where_it_stands(job, flags.output));
     throw;
   }
 }

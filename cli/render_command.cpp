@@ -126,6 +126,7 @@ void run(const RenderFlags& flags) {
   check_image_extension(flags.output, "--output");
   check_writable(flags.output, "--output");
   const SceneInput input = read_scene(flags.scene);
+  check_not_input(flags.output, input, "--output");
   const auto start = std::chrono::steady_clock::now();
   const auto [image, error] = draw(input, flags);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -47,15 +47,16 @@ TriangleMesh load_mesh(const SceneInput& input) {
 SceneInput read_scene(const std::string& source) {
   if (source == "-") {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    return {scene_from_json(text, "standard input"), "."};
+    return {scene_from_json(text, "standard input"), ".", "/dev/stdin"};
   }
   std::error_code ignored;
   if (!fs::exists(source, ignored)) {
-    if (const auto builtin = builtin_scene(source)) return {*builtin, "."};
+    if (const auto builtin = builtin_scene(source)) return {*builtin, ".", {}};
     throw Error(fmt::format(
         "scene {} is neither a file nor built in; `lumaknot scene --list` names those", source));
   }
-  return {scene_from_json(read_file(source, "scene"), source), fs::path(source).parent_path()};
+  return {scene_from_json(read_file(source, "scene"), source), fs::path(source).parent_path(),
+          source};
 }
 
 Texture load_texture(const SceneInput& input) {
@@ -73,6 +74,22 @@ Scene load_scene(const SceneInput& input) {
     check_texture_file(input.folder / file->path, "texture.file");
   }
   return {load_mesh(input), load_texture(input), input.spec.view};
+}
+
+void check_not_input(const fs::path& output, const SceneInput& input, std::string_view flag) {
+  const auto check = [&](const fs::path& file, std::string_view what) {
+    std::error_code is_not_there;
+    if (file.empty() || !fs::equivalent(output, file, is_not_there)) return;
+    throw Error(fmt::format("{} {} would overwrite {} that is read; choose another place", flag,
+                            output.string(), what));
+  };
+  check(input.file, "the scene");
+  if (const auto* texture = std::get_if<TextureFile>(&input.spec.texture)) {
+    check(input.folder / texture->path, "the texture.file");
+  }
+  if (const auto* mesh = std::get_if<MeshFile>(&input.spec.mesh)) {
+    check(input.folder / mesh->path, "the mesh.file");
+  }
 }
 
 }  // namespace lumaknot

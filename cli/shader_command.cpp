@@ -163,16 +163,24 @@ void make_folder(const fs::path& folder) {
 
 /// Each language in a folder of its own where there are several: they share file names.
 std::vector<Written> write_all(const ShaderFlags& flags, const ShaderJob& job,
-                               const Package& images) {
+                               const Package& images, const SceneInput& input) {
   std::vector<std::pair<Language, Package>> packages;
   for (const Language language : languages_of(flags, job)) {
     packages.emplace_back(language, package_of(job, language));
     std::ranges::copy(images, std::back_inserter(packages.back().second));
   }
+  const auto folder_of = [&](Language language) {
+    const fs::path folder = flags.output;
+    return packages.size() > 1 ? folder / info_of(language).name : folder;
+  };
+  for (const auto& [language, package] : packages) {
+    for (const PackedFile& file : package) {
+      check_not_input(folder_of(language) / file.name, input, "--output");
+    }
+  }
   std::vector<Written> all;
   for (const auto& [language, package] : packages) {
-    Written written{language, flags.output, {}, {}};
-    if (packages.size() > 1) written.folder /= info_of(language).name;
+    Written written{language, folder_of(language), {}, {}};
     make_folder(written.folder);
     write_package(written.folder, package, "--output");
     for (const PackedFile& file : package) written.files.push_back(file.name);
@@ -203,10 +211,11 @@ void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vecto
 void emit_all(const ShaderFlags& flags) {
   ShaderJob job;
   Package images;
+  SceneInput input;
   if (flags.scene.empty()) {
     job = job_of_name(flags);
   } else {
-    const SceneInput input = read_scene(flags.scene);
+    input = read_scene(flags.scene);
     job = job_of_scene(input.spec, flags.scene);
     if (job.shot.material.form == Form::kBaked && !job.color) {
       const Texture texture = load_texture(input);
@@ -217,7 +226,7 @@ void emit_all(const ShaderFlags& flags) {
   if (!flags.name.empty()) job.name = flags.name;
   check_name(job.name);
   if (flags.all_parameters) job.keep = Keep::kAll;
-  const std::vector<Written> all = write_all(flags, job, images);
+  const std::vector<Written> all = write_all(flags, job, images, input);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Written& written : all) {
     json.push_back(written_json(written));

@@ -107,13 +107,16 @@ int exit_code_of(Verdict verdict) {
 
 int run(ValidateFlags flags) {
   const SceneInput input = read_scene(flags.scene);
+  for (const char* file : {"report.json", "report.html"}) {
+    check_not_input(fs::path(flags.output) / file, input, "--output");
+  }
   check_samples(input.spec.view.image, kMostSamples);
   ValidationJob job{sample_by_sample(load_scene(input)),
                     finals(input.spec.view.material, flags.models), flags.renderers,
                     flags.programs};
   check_number("--time-limit", flags.time_limit, kPositive);
   job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
-  make_output_folder(flags.output, "report.html");
+  const OutputFolder made(flags.output, "report.html");
   const bool tells = isatty(STDERR_FILENO) && !flags.out.quiet;
   const Validation validation = validate(job, [&](const std::string& line) {
     if (tells) fmt::print(stderr, "{}\n", line);

@@ -46,13 +46,13 @@ Package obj_materials(const Scene& scene, const std::string& name) {
   return package;
 }
 
-std::vector<std::string> write_obj_scene(const std::filesystem::path& path, const Scene& scene,
+std::vector<std::string> write_obj_scene(const std::filesystem::path& path,
+                                         const TriangleMesh& mesh, const Package& materials,
                                          std::string_view flag) {
-  const Package materials = obj_materials(scene, path.stem().string());
   write_package(path.parent_path(), materials, flag);
   const auto write = [&](std::ostream& stream) {
     stream << fmt::format("mtllib {}\nusemtl lumaknot\n", materials.back().name);
-    write_obj(stream, scene.mesh, {});
+    write_obj(stream, mesh, {});
   };
   write_file(path, write, flag);
   std::vector<std::string> names;

@@ -19,9 +19,11 @@ namespace lumaknot {
 /// .mtl is the last.
 Package obj_materials(const Scene& scene, const std::string& name);
 
-/// Writes the surface to `path`, which ends in .obj, and before it the files of obj_materials()
-/// beside it. Returns the names of the files, that of `path` last. `flag` names it in an Error.
-std::vector<std::string> write_obj_scene(const std::filesystem::path& path, const Scene& scene,
+/// Writes the surface to `path`, which ends in .obj, and before it `materials`, which are of
+/// obj_materials(), beside it. Returns the names of the files, that of `path` last. `flag` names it
+/// in an Error.
+std::vector<std::string> write_obj_scene(const std::filesystem::path& path,
+                                         const TriangleMesh& mesh, const Package& materials,
                                          std::string_view flag);
 
 }  // namespace lumaknot

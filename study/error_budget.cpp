@@ -13,6 +13,7 @@
 #include "render/truth.h"
 #include "scene/error.h"
 #include "study/knot_samples.h"
+#include "study/nothing_seen.h"
 
 namespace lumaknot {
 namespace {
@@ -300,7 +301,7 @@ ErrorBudget error_budget(const Scene& scene, const KnotSpec& knot, const BudgetO
   const FastPictures fast = draw_fast(scene);
   const ErrorMap floats = colors_of(fast.floats), bytes = colors_of(fast.bytes);
   const Covered covered(fast.floats, truth.image);
-  if (covered.count() == 0) throw Error("no pixel shows the knot; move the camera");
+  if (covered.count() == 0) throw Error(kNothingSeen);
 
   const ErrorMap& method = swapped.method.plain;
   ErrorBudget budget;

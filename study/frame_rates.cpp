@@ -214,6 +214,20 @@ RateTable finished(std::vector<Contender>& contenders, RateTable table) {
   return table;
 }
 
+/// Rounds that disagree widen what their frames alone would tell.
+Interval cost_interval(std::span<const FrameTimes> rounds, std::size_t shot) {
+  std::vector<double> costs, medians;
+  for (const FrameTimes& round : rounds) {
+    for (std::size_t i = 0; i < round[shot].size(); ++i) {
+      costs.push_back(1 - round[0][i] / round[shot][i]);
+    }
+    medians.push_back(1 - paired_ratio(round[0], round[shot]));
+  }
+  const auto [least, most] = std::ranges::minmax(medians);
+  const Interval frames = median_interval(std::move(costs));
+  return {std::min(frames.low, least), std::max(frames.high, most)};
+}
+
 }  // namespace
 
 std::vector<Shot> rate_shots(const Scene& scene) {
@@ -237,6 +251,7 @@ void summarise(std::span<const FrameTimes> rounds, RateRow& row) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     row.milliseconds[i] = spread_of(all[i]);
     row.costs[i] = 1 - paired_ratio(all[0], all[i]);
+    row.cost_intervals[i] = cost_interval(rounds, i);
   }
 }
 

@@ -41,6 +41,8 @@ struct RateRow {
   std::string how;       ///< what is particular to its frames
   std::array<Spread, kRateShots.size()> milliseconds{};
   std::array<double, kRateShots.size()> costs{};  ///< share of the classical rate that is lost
+  /// Where costs lie: the median's 95 % interval over all pairs of frames, and each round's median.
+  std::array<Interval, kRateShots.size()> cost_intervals{};
   double ratio = 1;  ///< its time over ours on as many threads with as many samples, or the next
                      ///< more; paired by round
 };

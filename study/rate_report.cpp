@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
@@ -82,7 +83,10 @@ Json row_json(const RateRow& row) {
             {"how", row.how}};
   for (std::size_t i = 0; i < kRateShots.size(); ++i) {
     Json& shot = json[std::string(kRateShots[i])] = spread_json(row.milliseconds[i]);
-    if (i > 0) shot["cost"] = row.costs[i];
+    if (i == 0) continue;
+    shot["cost"] = row.costs[i];
+    const Interval& interval = row.cost_intervals[i];
+    if (std::isfinite(interval.low)) shot["cost_interval"] = {interval.low, interval.high};
   }
   json["ratio_to_ours"] = row.ratio;
   return json;

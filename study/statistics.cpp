@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace lumaknot {
@@ -23,6 +24,22 @@ double quantile(std::vector<double> values, double share) {
   const auto place = values.begin() + std::ptrdiff_t(std::max<std::size_t>(rank, 1) - 1);
   std::ranges::nth_element(values, place);
   return *place;
+}
+
+Interval median_interval(std::vector<double> values) {
+  constexpr double kTail = 0.025;  // on each side
+  const double n = double(values.size());
+  std::size_t rank = 0;  // of the bounds, from each end
+  double below = 0;      // the chance that fewer than `rank` values lie below the median
+  for (double k = 0; 2 * k < n; ++k) {
+    const double choices = std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+    below += std::exp(choices - n * std::numbers::ln2);
+    if (below > kTail) break;
+    ++rank;
+  }
+  if (rank == 0) return {};
+  std::ranges::sort(values);
+  return {values[rank - 1], values[values.size() - rank]};
 }
 
 Spread spread_of(std::span<const double> values) {

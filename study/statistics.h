@@ -1,6 +1,7 @@
 /// What repeated measurements have in common.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,12 +13,22 @@ struct Spread {
   double median = 0, least = 0, most = 0;
 };
 
+/// From where to where something lies; everywhere unless it is known.
+struct Interval {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
 /// The middle of `values`, which must not be empty; of an even number the mean of the middle two.
 double median(std::vector<double> values);
 
 /// The least of `values`, which must not be empty, that `share` of them don't exceed; share in
 /// (0, 1].
 double quantile(std::vector<double> values, double share);
+
+/// Where the median of what `values` were drawn from lies, at 95 % or more: between two of them
+/// (order statistics, whatever the distribution). Everywhere for fewer than six.
+Interval median_interval(std::vector<double> values);
 
 /// Of `values`, which must not be empty.
 Spread spread_of(std::span<const double> values);

@@ -102,10 +102,9 @@ void forget_lights(const fs::path& folder) {
   }
 }
 
-int kept_lights(const fs::path& folder) {
-  std::error_code ignored;
-  return int(fs::exists(file_of(folder, FigureLight::kFront), ignored)) +
-         int(fs::exists(file_of(folder, FigureLight::kBack), ignored));
+int kept_lights(const fs::path& folder, const std::string& key) {
+  return int(kept_light(folder, FigureLight::kFront, key).has_value()) +
+         int(kept_light(folder, FigureLight::kBack, key).has_value());
 }
 
 }  // namespace lumaknot

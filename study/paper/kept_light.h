@@ -22,7 +22,7 @@ std::optional<LightPictures> kept_light(const std::filesystem::path& folder, Fig
 /// Removes both lights' .json, the images staying: the next run draws anew.
 void forget_lights(const std::filesystem::path& folder);
 
-/// How many lights are kept, whatever their key.
-int kept_lights(const std::filesystem::path& folder);
+/// How many lights are kept.
+int kept_lights(const std::filesystem::path& folder, const std::string& key);
 
 }  // namespace lumaknot

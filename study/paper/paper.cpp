@@ -87,4 +87,8 @@ PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& fo
   return result;
 }
 
+int kept_lights(const PaperJob& job, const std::filesystem::path& folder) {
+  return kept_lights(folder, key_of(job));
+}
+
 }  // namespace lumaknot

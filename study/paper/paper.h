@@ -33,6 +33,9 @@ struct PaperResult {
 PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& folder,
                             const Progress& progress = {});
 
+/// Of how many lights `folder` holds the pictures that reproduce_paper() would not draw again.
+int kept_lights(const PaperJob& job, const std::filesystem::path& folder);
+
 /// One HTML page that needs nothing else.
 std::string paper_html(const PaperResult& result);
 

@@ -20,6 +20,10 @@ constexpr double kNoise = 0.5;                      // percent that costs vary b
 double percent(double share) { return 100 * share; }
 double cost_of(const PaperRow& row) { return percent(1 - row.yiq / row.classical); }
 double cost_of(const RateRow& row) { return percent(row.costs[kTable1]); }
+Interval costs_of(const RateRow& row) {
+  const Interval& share = row.cost_intervals[kTable1];
+  return {percent(share.low), percent(share.high)};
+}
 double rate_of(const Spread& milliseconds) { return 1000 / milliseconds.median; }
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits), 1 thread, 4 samples".
@@ -61,6 +65,23 @@ Measure time_note(const Forms& forms, std::string_view formula) {
   const Spread& ms = time_of(forms.times, formula).milliseconds;
   return note(fmt::format("{}: a frame ({:.3g} to {:.3g})", formula, ms.least, ms.most), ms.median,
               "ms");
+}
+
+/// Held to the paper's costs where the interval of the rows' least or most, and what runs differ
+/// by, is wholly within them or without; else a note, and in `claim.beyond` why.
+void add_cost(const std::string& what, double cost, const Interval& of_rows,
+              const std::pair<double, double>& theirs, PaperClaim& claim) {
+  const auto [least, most] = theirs;
+  const Interval interval{of_rows.low - kNoise, of_rows.high + kNoise};
+  const bool inside = interval.low >= least && interval.high <= most;
+  const bool outside = interval.high < least || interval.low > most;
+  if (inside || outside) {
+    claim.measures.push_back(within(what, cost, least, most, "%"));
+    return;
+  }
+  claim.measures.push_back(note(what, cost, "%"));
+  claim.beyond += fmt::format("{}Not decided: the {} is from {:.2g} to {:.2g} %.",
+                              claim.beyond.empty() ? "" : " ", what, interval.low, interval.high);
 }
 
 }  // namespace
@@ -113,36 +134,55 @@ PaperClaim table_claim(std::span<const PaperRow> rows) {
 
 PaperClaim slower_claim(std::span<const RateRow> rows) {
   const auto count = [&](auto is) {
-    return double(std::ranges::count_if(rows, [&](const RateRow& r) { return is(cost_of(r)); }));
+    return double(std::ranges::count_if(rows, [&](const RateRow& r) { return is(costs_of(r)); }));
   };
-  return {
+  const double slower = count([](const Interval&c) { return c.low > kNoise; }),
+               faster = count([](const Interval&c) { return c.high < -kNoise; });
+  const double decided = slower + faster, open = double(rows.size()) - decided;
+  PaperClaim claim{
       "slower",
       kSection,
       "YIQ-based lighting is slower in all instances than classical lighting.",
       "Rows of this machine's table: frames a second that Table 1's listing loses, from pairs of "
       "neighbouring frames. Slower or faster: by more than half a percent, which is what costs "
-      "vary by from run to run.",
-      {at_least("rows where it is slower", count([](double c) { return c > kNoise; }),
-                double(rows.size())),
-       at_most("rows where it is faster", count([](double c) { return c < -kNoise; }), 0)},
+      "vary by from run to run, with the 95 % interval of the pairs' median and with each round's. "
+      "Rows that are neither are not decided, and don't count.",
+      {note("rows not decided", open)},
       ""};
+  if (open > 0) {
+    claim.beyond = fmt::format(
+        "{} of {} rows are too near to their noise to tell; more --rounds and --seconds may.", open,
+        rows.size());
+  }
+  if (decided == 0) return claim;
+  claim.measures.insert(claim.measures.begin(),
+                        {at_least("rows where it is slower, of those decided", slower, decided),
+                         at_most("rows where it is faster", faster, 0)});
+  return claim;
 }
 
 PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> paper) {
-  const auto costs = [](const auto& table) {
+  const auto range = [](const auto& table, const auto& cost) {
     std::vector<double> all;
-    for (const auto& row : table) all.push_back(cost_of(row));
-    return std::ranges::minmax(all);
+    for (const auto& row : table) all.push_back(cost(row));
+    const auto [least, most] = std::ranges::minmax(all);
+    return std::pair(least, most);
   };
-  const auto theirs = costs(paper), ours = costs(rows);
-  return {"cost",
-          kSection,
-          "YIQ costs 1 % at best and some 30 % at worst.",
-          "The least and the most of the rows of this machine's table against Table 2's least and "
-          "most.",
-          {within("least cost here", ours.min, theirs.min, theirs.max, "%"),
-           within("most cost here", ours.max, theirs.min, theirs.max, "%")},
-          ""};
+  const auto theirs = range(paper, [](const PaperRow& r) { return cost_of(r); });
+  const auto ours = range(rows, [](const RateRow& r) { return cost_of(r); });
+  const auto low = range(rows, [](const RateRow&r) { return costs_of(r).low; }),
+             high = range(rows, [](const RateRow&r) { return costs_of(r).high; });
+  PaperClaim claim{"cost",
+                   kSection,
+                   "YIQ costs 1 % at best and some 30 % at worst.",
+                   "The least and the most of the rows of this machine's table against Table 2's "
+                   "least and most, where their 95 % intervals and each round's medians, half a "
+                   "percent wider since runs differ by that, decide it.",
+                   {},
+                   ""};
+  add_cost("least cost here", ours.first, {low.first, high.first}, theirs, claim);
+  add_cost("most cost here", ours.second, {low.second, high.second}, theirs, claim);
+  return claim;
 }
 
 PaperClaim real_time_claim(std::span<const RateRow> rows) {

@@ -8,11 +8,13 @@
 
 #include "render/shading.h"
 #include "study/method.h"
+#include "validate/process.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kNothing = 1e-9;  // rounding
+constexpr double kNothing = 1e-9;     // rounding
+constexpr std::size_t kChunk = 4096;  // points between two looks at Ctrl-C
 
 /// The colours that a view and a texture give to points, in double.
 class Colors {
@@ -37,8 +39,8 @@ double largest_change(const Lean& lean, std::span<const Fragment> points,
                       std::span<const Vec3d> colors, double enough) {
   const Colors changed(lean);
   double most = 0;
-  constexpr std::size_t kChunk = 4096;
   for (std::size_t begin = 0; begin < points.size() && most <= enough; begin += kChunk) {
+    check_interrupted();
     using Range = oneapi::tbb::blocked_range<std::size_t>;
     const Range chunk(begin, std::min(begin + kChunk, points.size()));
     most = std::max(most, oneapi::tbb::parallel_reduce(
@@ -58,7 +60,10 @@ double largest_change(const Lean& lean, std::span<const Fragment> points,
 std::vector<Vec3d> colors_of(const Lean& lean, std::span<const Fragment> points) {
   const Colors colors(lean);
   std::vector<Vec3d> all(points.size());
-  std::ranges::transform(points, all.begin(), [&](const Fragment& p) { return colors.at(p); });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % kChunk == 0) check_interrupted();
+    all[i] = colors.at(points[i]);
+  }
   return all;
 }
 

@@ -28,7 +28,8 @@ struct Dropping {
 
 /// `scene` without every light, term, texture and rule that changes the colour of no point by more
 /// than `share`, all together: what changes nothing first, then in the order of simplifications().
-/// Colours are those of `seen`, in double, limited to [0, 1] as they are shown.
+/// Colours are those of `seen`, in double, limited to [0, 1] as they are shown. Throws
+/// Interrupted.
 Dropping drop(const Scene& scene, std::span<const Fragment> seen, double share);
 
 }  // namespace lumaknot

@@ -6,9 +6,10 @@
 #include <atomic>
 #include <numeric>
 
-#include "render/truth.h"
 #include "scene/error.h"
 #include "study/method.h"
+#include "study/nothing_seen.h"
+#include "validate/process.h"
 
 namespace lumaknot {
 namespace {
@@ -42,7 +43,11 @@ std::unique_ptr<NearbyRange> nearby_range(const Sample& sample, double error) {
 
 template <class F>
 void each(std::span<const std::size_t> pixels, const F& work) {
-  oneapi::tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) { work(pixels[k]); });
+  constexpr std::size_t kAsked = 64;  // pixels: asking takes as long as a look in place
+  oneapi::tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) {
+    if (k % kAsked == 0) check_interrupted();
+    work(pixels[k]);
+  });
 }
 
 /// The pixels in `order` by falling error.
@@ -63,7 +68,7 @@ Judge::Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
       nearby_(pixels_, knot.tube_radius, tolerance.shift, area_),
       truth_(scene_.view.image.width, scene_.view.image.height),
       ranges_(truth_.pixels.size()) {
-  fragments_ = exact_fragments(scene_, knot);
+  look_at_centres();
   if (area_) {
     take_means(progress);
   } else {
@@ -71,12 +76,22 @@ Judge::Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
   }
   const auto covered = [](const RgbaPixel& p) { return p.coverage > 0; };
   if (std::ranges::none_of(truth_.pixels, covered)) {
-    throw Error("the scene covers no pixel; move camera.position, or turn it to camera.target");
+    throw Error(kNothingSeen);
   }
 }
 
+void Judge::look_at_centres() {
+  fragments_ = Grid<ExactFragment>(truth_.width, truth_.height);
+  oneapi::tbb::parallel_for(0, truth_.height, [&](int y) {
+    check_interrupted();
+    for (int x = 0; x < truth_.width; ++x) fragments_.at(x, y) = pixels_.at(x + 0.5, y + 0.5);
+  });
+}
+
 void Judge::take_centres() {
-  oneapi::tbb::parallel_for(std::size_t{0}, fragments_.pixels.size(), [&](std::size_t i) {
+  std::vector<std::size_t> all(fragments_.pixels.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  each(all, [&](std::size_t i) {
     const Fragment& seen = fragments_.pixels[i].fragment;
     if (!seen.covered()) return;
     const Sample sample = pixels_.sample(seen);
@@ -90,6 +105,7 @@ void Judge::take_means(const Progress& progress) {
   for (int y = 0; y < truth_.height; y += 16) {  // told between bands, from one thread
     const int end = std::min(y + 16, truth_.height);
     oneapi::tbb::parallel_for(y, end, [&](int row) {
+      check_interrupted();
       const std::vector<PixelTruth> means =
           area_row(pixels_, row, truth_.width, mean_error(tolerance_));
       for (int x = 0; x < truth_.width; ++x) {
@@ -126,7 +142,8 @@ Judge::Found Judge::full_error(std::size_t pixel, const Sample& sample) const {
 }
 
 PixelErrors Judge::examine(const Image& picture, bool all) const {
-  PixelErrors result{{}, Grid<float>(picture.width, picture.height)};
+  const Grid<float> none(picture.width, picture.height);
+  PixelErrors result{{}, none, none};
   Judgement& judgement = result.judgement;
   std::vector<std::size_t> far;  // in place
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -135,9 +152,12 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
     const double error =
         range_about(sample_of(truth_.pixels[i]), 0).distance(sample_of(picture.pixels[i]));
     judgement.in_place = std::max(judgement.in_place, error);
+    judgement.mean_in_place += error;
+    result.in_place.pixels[i] = float(error);
     far.push_back(i);
     if (!(error <= tolerance_.color)) ++judgement.shifted;
   }
+  if (judgement.covered > 0) judgement.mean_in_place /= double(judgement.covered);
   std::atomic<long long> hidden = 0;
   each(far, [&](std::size_t i) {
     result.errors.pixels[i] = float(quick_error(i, sample_of(picture.pixels[i])));

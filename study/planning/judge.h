@@ -17,18 +17,19 @@ struct Judgement {
   /// The largest: in place where that is within the tolerance, else from what a quick look about
   /// the pixel finds, else from what a full one does.
   double error = 0;
-  double in_place = 0;    ///< the largest, from the truth at the very pixel
-  long long covered = 0;  ///< pixels that the picture or the truth covers
-  long long shifted = 0;  ///< those beyond the tolerance in place
-  long long hidden = 0;   ///< those within it by what is hidden by less than the shift alone
-  long long failing = 0;  ///< those beyond the tolerance; when stopped early, at least so many
+  double in_place = 0;       ///< the largest, from the truth at the very pixel
+  double mean_in_place = 0;  ///< the mean of those
+  long long covered = 0;     ///< pixels that the picture or the truth covers
+  long long shifted = 0;     ///< those beyond the tolerance in place
+  long long hidden = 0;      ///< those within it by what is hidden by less than the shift alone
+  long long failing = 0;     ///< those beyond the tolerance; when stopped early, at least so many
   bool met = false;
 };
 
 /// A judgement pixel by pixel.
 struct PixelErrors {
   Judgement judgement;
-  Grid<float> errors;
+  Grid<float> errors, in_place;
 };
 
 /// The truth of a scene, and pictures held to it.
@@ -36,7 +37,7 @@ class Judge {
  public:
   /// The scene on the exact surface of `knot`, in the material's own space with unit normals. What
   /// a pixel is: its centre where the scene has one sample a pixel, else the mean over its square.
-  /// Throws Error as ExactTube, and when no pixel is covered.
+  /// Throws Error as ExactTube, and when no pixel is covered; Interrupted, as what follows does.
   Judge(Scene scene, const KnotSpec& knot, const Tolerance& tolerance,
         const Progress& progress = {});
   Judge(const Judge&) = delete;
@@ -56,6 +57,7 @@ class Judge {
 
  private:
   PixelErrors examine(const Image& picture, bool all) const;
+  void look_at_centres();
   void take_centres();
   void take_means(const Progress& progress);
   double quick_error(std::size_t pixel, const Sample& sample) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "scene/atomic_file.h"
 
@@ -15,6 +16,7 @@ constexpr double kMostError = 1e9;  // what is no number is kept as this
 Json judgement_json(const Judgement& j) {
   return {{"error", std::min(j.error, kMostError)},
           {"in_place", std::min(j.in_place, kMostError)},
+          {"mean_in_place", std::min(j.mean_in_place, kMostError)},
           {"covered", j.covered},
           {"shifted", j.shifted},
           {"hidden", j.hidden},
@@ -23,8 +25,8 @@ Json judgement_json(const Judgement& j) {
 }
 
 Judgement judgement_from(const Json& json) {
-  return {json.at("error"),  json.at("in_place"), json.at("covered"), json.at("shifted"),
-          json.at("hidden"), json.at("failing"),  json.at("met")};
+  return {json.at("error"),   json.at("in_place"), json.at("mean_in_place"), json.at("covered"),
+          json.at("shifted"), json.at("hidden"),   json.at("failing"),       json.at("met")};
 }
 
 }  // namespace
@@ -58,6 +60,15 @@ void Notebook::read() {
 void Notebook::add(const std::string& name, const FrameRound& round) {
   rounds_[name].push_back(round);
   keep_at_times();
+}
+
+std::size_t Notebook::size() const {
+  std::set<std::string> names;
+  for (const auto& [name, judgement] : judgements_) names.insert(name);
+  for (const auto& [name, rounds] : rounds_) {
+    if (!rounds.empty()) names.insert(name);
+  }
+  return names.size();
 }
 
 void Notebook::keep_at_times() {

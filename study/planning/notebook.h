@@ -39,6 +39,9 @@ class Notebook {
   const std::map<std::string, std::vector<FrameRound>>& all_rounds() const { return rounds_; }
   void add(const std::string& name, const FrameRound& round);
 
+  /// How many names it holds anything under.
+  std::size_t size() const;
+
   void save();
 
  private:

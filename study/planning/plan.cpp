@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "scene/atomic_file.h"
 #include "scene/error.h"
 #include "study/chart_keys.h"
+#include "study/nothing_seen.h"
 #include "validate/process.h"
 
 namespace lumaknot {
@@ -17,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kNotebook = "measured.json";
 constexpr double kDroppedShare = 0.25;  // of the tolerance
 constexpr double kTruthEnd = 0.2, kSearchEnd = 0.5, kTimesEnd = 0.55;
 
@@ -59,15 +59,15 @@ class Planning {
   Plan run(const std::function<void(const std::string&)>& told) {
     check_plan(job_);
     const Judge judge(job_.scene, knot_, job_.tolerance, part(0, kTruthEnd));
-    Notebook notebook(folder_ / "measured.json", key_of(job_));
+    Notebook notebook(folder_ / kNotebook, key_of(job_));
     if (notebook.started_anew()) {
       told(fmt::format("{} is of another scene, tolerance or lumaknot: measured anew",
-                       (folder_ / "measured.json").string()));
+                       (folder_ / kNotebook).string()));
     }
     try {
       plan_with(judge, notebook);
     } catch (const Interrupted&) {
-      notebook.save();
+      if (notebook.size() > 0) notebook.save();
       throw;
     }
     notebook.save();
@@ -84,7 +84,7 @@ class Planning {
 
   void plan_with(const Judge& judge, Notebook& notebook) {
     const std::vector<Fragment> seen = covered(judge.fragments());
-    if (seen.empty()) throw Error("the scene covers no pixel's centre; move the camera nearer");
+    if (seen.empty()) throw Error(kNothingSeen);
     plan_.tolerance = job_.tolerance;
     plan_.area = judge.area();
     plan_.share = kDroppedShare * job_.tolerance.color;
@@ -146,8 +146,10 @@ class Planning {
     plan_.after = workshop.draw(method);
     PixelErrors errors = judge.judge_all(plan_.after);
     plan_.chosen.judgement = errors.judgement;
+    plan_.in_place = error_picture(errors.in_place, job_.tolerance.color);
     plan_.errors = error_picture(errors.errors, job_.tolerance.color);
-    plan_.before = render(job_.scene);
+    plan_.fast = judge.judge(workshop.draw_beside());
+    plan_.before = render(job_.scene, [](double) { check_interrupted(); });
     plan_.lean = lean_spec(method);
   }
 
@@ -181,12 +183,8 @@ Plan make_plan(const PlanJob& job, const fs::path& folder, const Progress& progr
   return Planning(job, folder, progress).run(told);
 }
 
-std::size_t measured_choices(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::path file = folder / "measured.json";
-  if (!fs::exists(file, ignored)) return 0;
-  const auto json = nlohmann::json::parse(read_file(file, "measured.json"), nullptr, false);
-  return json.is_object() && json.contains("judgements") ? json["judgements"].size() : 0;
+std::size_t measured_choices(const PlanJob& job, const fs::path& folder) {
+  return Notebook(folder / kNotebook, key_of(job)).size();
 }
 
 std::vector<std::string> render_arguments(const Method& method) {

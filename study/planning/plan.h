@@ -1,6 +1,7 @@
 /// The cheapest model of a scene that meets a tolerance.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -43,9 +44,17 @@ struct Plan {
   int considered = 0;               ///< choices that there are
   SceneSpec lean;                   ///< the smaller scene, to be drawn as render_arguments() tell
   double reference_milliseconds = 0, fast_milliseconds = 0;  ///< before, one thread
-  std::optional<PlanChoice> best_of_all;                     ///< of the exhaustive search
-  double time_to_best = 0;      ///< the chosen time over that of best_of_all, the same rounds
-  Image before, after, errors;  ///< the reference, the plan's picture, its errors
+  Judgement fast;                         ///< of the scene as --fast draws it, before
+  std::optional<PlanChoice> best_of_all;  ///< of the exhaustive search
+  double time_to_best = 0;  ///< the chosen time over that of best_of_all, the same rounds
+  Image before, after;      ///< the reference, the plan's picture
+  Image in_place, errors;   ///< the errors of that, in place and after the shift
+
+  /// Pixels that meet the tolerance by the shift alone: the count, and of those judged.
+  long long shifted() const { return chosen.judgement.shifted - chosen.judgement.failing; }
+  double shifted_share() const {
+    return double(shifted()) / double(std::max(1LL, chosen.judgement.covered));
+  }
 };
 
 /// Throws Error for a tolerance that no picture can be held to, a mesh file, and a knot without an
@@ -58,11 +67,17 @@ void check_plan(const PlanJob& job);
 Plan make_plan(const PlanJob& job, const std::filesystem::path& folder, const Progress& progress,
                const std::function<void(const std::string&)>& told);
 
-/// How many choices `folder`/measured.json holds.
-std::size_t measured_choices(const std::filesystem::path& folder);
+/// How many choices of this job `folder`/measured.json holds.
+std::size_t measured_choices(const PlanJob& job, const std::filesystem::path& folder);
 
 /// The arguments of `lumaknot render SCENE -o PICTURE` that draw the plan's scene as planned.
 std::vector<std::string> render_arguments(const Method& method);
+
+/// What to know of a tolerance that many pixels meet by the shift alone; empty for few.
+std::string shift_warning(const Plan& plan);
+
+/// "1.26 times faster than", or slower.
+std::string pace_than(double before, double after);
 
 /// The certificate: tolerance, what was dropped, every choice predicted and measured, times.
 std::string plan_json(const Plan& plan);

@@ -90,6 +90,13 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   const Judgement& judged = plan.chosen.judgement;
   page.set("error", fmt::format("{:.4f}", judged.error));
   page.set("in_place", fmt::format("{:.3f}", judged.in_place));
+  page.set("mean", number(judged.mean_in_place));
+  page.set("shifted_share",
+           fmt::format("{:.3g}", 100.0 * double(judged.shifted) / double(judged.covered)));
+  page.set("hidden", std::to_string(judged.hidden));
+  page.set("has_shift", plan.tolerance.shift > 0);
+  page.set("warning", shift_warning(plan));
+  page.set("has_warning", !shift_warning(plan).empty());
   page.set("pixels", std::to_string(judged.covered));
   page.set("shifted", std::to_string(judged.shifted));
   page.set("failing", std::to_string(judged.failing));
@@ -109,8 +116,9 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("reference", fmt::format("{:.1f}", plan.reference_milliseconds));
   page.set("fast", fmt::format("{:.2f}", plan.fast_milliseconds));
   page.set("after", fmt::format("{:.2f}", after));
-  page.set("to_reference", fmt::format("{:.1f}", plan.reference_milliseconds / after));
-  page.set("to_fast", fmt::format("{:.2f}", plan.fast_milliseconds / after));
+  page.set("than_reference", pace_than(plan.reference_milliseconds, after));
+  page.set("than_fast", pace_than(plan.fast_milliseconds, after));
+  page.set("fast_meets", plan.fast.met ? "meets" : "does not meet");
   page.set("has_best", plan.best_of_all.has_value());
   if (plan.best_of_all) {
     page.set("best", method_name(plan.best_of_all->method));
@@ -123,7 +131,11 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   pictures.push_back(picture_row("before: the reference", plan.before));
   pictures.push_back(picture_row("after: as planned", plan.after));
   pictures.push_back(
-      picture_row("error after the shift: white is the tolerance, red beyond it", plan.errors));
+      picture_row("error in place: white is the tolerance, red beyond it", plan.in_place));
+  if (plan.tolerance.shift > 0) {
+    pictures.push_back(
+        picture_row("error after the shift: white is the tolerance, red beyond it", plan.errors));
+  }
   page.set("pictures", pictures);
   mustache::mustache layout{std::string(embedded::plan_template())};
   return layout.render(page);

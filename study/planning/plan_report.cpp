@@ -29,16 +29,16 @@ Json predicted_json(const PredictedError& p) {
           {"precision", p.precision}};
 }
 
+Json judgement_json(const Judgement& j) {
+  return {{"error", j.error},    {"in_place", j.in_place},       {"mean_in_place", j.mean_in_place},
+          {"pixels", j.covered}, {"beyond_in_place", j.shifted}, {"hidden", j.hidden},
+          {"failing", j.failing}};
+}
+
 Json choice_json(const PlanChoice& c) {
   Json json{{"method", method_name(c.method)},
             {"predicted", predicted_json(c.predicted)},
-            {"measured",
-             {{"error", c.judgement.error},
-              {"in_place", c.judgement.in_place},
-              {"pixels", c.judgement.covered},
-              {"beyond_in_place", c.judgement.shifted},
-              {"hidden", c.judgement.hidden},
-              {"failing", c.judgement.failing}}},
+            {"measured", judgement_json(c.judgement)},
             {"met", c.judgement.met}};
   if (c.milliseconds > 0) json["milliseconds"] = c.milliseconds;
   return json;
@@ -79,16 +79,42 @@ std::string dropped_text(const Plan& plan) {
                             plan.share, plan.dropping.change);
 }
 
+/// What was needed of the colour and of the place.
+std::string judgement_text(const Plan& plan) {
+  const Judgement& j = plan.chosen.judgement;
+  std::string text = fmt::format(
+      "  in place {} of {} pixels ({:.3g} %) are beyond {:.2g}: by {:.2g} at most, the mean of all "
+      "is {:.2g}\n",
+      j.shifted, j.covered, 100.0 * double(j.shifted) / double(j.covered), plan.tolerance.color,
+      j.in_place, j.mean_in_place);
+  if (plan.tolerance.shift > 0) {
+    text += fmt::format(
+        "  within {:g} pixels {} stay beyond, {:.2g} off at most; {} count for what is hidden by "
+        "less\n",
+        plan.tolerance.shift, j.failing, j.error, j.hidden);
+  }
+  const std::string warning = shift_warning(plan);
+  return warning.empty() ? text : text + "  warning: " + warning + "\n";
+}
+
+std::string times_text(const Plan& plan) {
+  const double after = plan.chosen.milliseconds;
+  return fmt::format(
+      "  {:.2f} ms a frame on one thread, {} the reference ({:.1f} ms), {} --fast ({:.2f} ms), "
+      "whose "
+      "picture of the scene as it was {} the tolerance",
+      after, pace_than(plan.reference_milliseconds, after), plan.reference_milliseconds,
+      pace_than(plan.fast_milliseconds, after), plan.fast_milliseconds,
+      plan.fast.met ? "meets" : "does not meet");
+}
+
 std::string parts_text(const Plan& plan) {
   std::string text;
   for (const ErrorPart& p : plan.parts) {
     text += fmt::format("  {:<40} {:>10} {:>10.2g}\n", p.name + ", " + p.unit,
                         number_or_none(p.predicted), p.measured);
   }
-  const Judgement& j = plan.chosen.judgement;
-  return text + fmt::format("  {:<40} {:>10.2g} {:>10.2g}\n",
-                            fmt::format("whole, of {} pixels, of a tolerance of", j.covered),
-                            plan.tolerance.color, j.error);
+  return text;
 }
 
 std::string blame_text(const Plan& plan) {
@@ -107,6 +133,23 @@ std::string blame_text(const Plan& plan) {
 
 }  // namespace
 
+std::string shift_warning(const Plan& plan) {
+  constexpr double kFew = 0.1;
+  constexpr double kCloser = 0.05;  // pixels
+  if (plan.shifted_share() <= kFew) return "";
+  return fmt::format(
+      "{:.3g} % of the pixels meet it by the shift alone: texture or edges change much within {:g} "
+      "pixels; try {}more image.samples",
+      100 * plan.shifted_share(), plan.tolerance.shift,
+      plan.tolerance.shift > kCloser ? fmt::format("--shift {:g} or ", kCloser) : "");
+}
+
+std::string pace_than(double before, double after) {
+  const double times = std::max(before, after) / std::min(before, after);
+  return fmt::format("{:.{}f} times {} than", times, times < 10 ? 2 : 1,
+                     before >= after ? "faster" : "slower");
+}
+
 std::string plan_json(const Plan& plan) {
   Json json{
       {"met", plan.met},
@@ -117,8 +160,11 @@ std::string plan_json(const Plan& plan) {
       {"dropped_together", {{"share", plan.share}, {"measured", plan.dropping.change}}},
       {"kept", tried_json(plan.dropping.kept)},
       {"chosen", choice_json(plan.chosen)},
+      {"by_shift_alone", {{"pixels", plan.shifted()}, {"share", plan.shifted_share()}}},
       {"parts", parts_json(plan.parts)},
-      {"milliseconds", times_json(plan)}};
+      {"milliseconds", times_json(plan)},
+      {"before_fast", {{"met", plan.fast.met}, {"measured", judgement_json(plan.fast)}}}};
+  if (const std::string warning = shift_warning(plan); !warning.empty()) json["warning"] = warning;
   for (const Blame& b : plan.blamed) {
     json["blame"].push_back({{"part", b.part}, {"pixels", b.pixels}});
   }
@@ -133,15 +179,9 @@ std::string plan_json(const Plan& plan) {
 }
 
 std::string plan_text(const Plan& plan) {
-  const double after = plan.chosen.milliseconds;
   std::string text = plan.met ? "met: " : blame_text(plan);
-  text += method_name(plan.chosen.method) + "\n" + dropped_text(plan) + parts_text(plan);
-  text += fmt::format(
-      "  {:.2f} ms a frame on one thread; before {:.1f} ms by the reference ({:.1f} times), {:.2f} "
-      "ms "
-      "by --fast ({:.2f} times)",
-      after, plan.reference_milliseconds, plan.reference_milliseconds / after,
-      plan.fast_milliseconds, plan.fast_milliseconds / after);
+  text += method_name(plan.chosen.method) + "\n" + judgement_text(plan) + dropped_text(plan) +
+          parts_text(plan) + times_text(plan);
   if (plan.best_of_all) {
     text += fmt::format("\n  {:.2f} times the time of the best of all {} choices, {}",
                         plan.time_to_best, plan.considered, method_name(plan.best_of_all->method));

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "scene/error.h"
 
 namespace lumaknot {
 
 void check_tolerance(const Tolerance& tolerance, bool area) {
   constexpr double kFarthest = 16;  // pixels; farther is another picture
-  if (!std::isfinite(tolerance.color) || tolerance.color <= 0) {
-    throw Error(
-        fmt::format("--tolerance must be a number > 0, got {}; say 1/255", tolerance.color));
+  if (!(tolerance.color > 0 && tolerance.color < 1)) {
+    throw Error(fmt::format(
+        "--tolerance must be > 0 and < 1, since colours are from 0 to 1, got {:g}; say 1/255",
+        tolerance.color));
   }
   const double finest = area ? kAreaTruthError : kPointTruthError;
   if (tolerance.color <= finest) {

@@ -10,7 +10,7 @@ namespace lumaknot {
 /// picture meets: at an edge, the thousandth of a pixel that corners are snapped to turns black to
 /// white.
 struct Tolerance {
-  double color = 1.0 / 255;  ///< of the largest channel, in [0, 1]; > 0
+  double color = 1.0 / 255;  ///< of the largest channel, > 0 and < 1, as colours are in [0, 1]
   double shift = 0.25;       ///< pixels, >= 0; 0: every colour at its very place
 };
 

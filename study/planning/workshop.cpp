@@ -64,6 +64,12 @@ Image Workshop::draw(const Method& method) {
   return MethodRenderer(method, scene_of(method)).image();
 }
 
+Image Workshop::draw_beside() const {
+  Image image;
+  as_it_is(scene_).draw(image);
+  return image;
+}
+
 const Judgement& Workshop::judgement(const Method& method) {
   return notebook_.judgement(method_name(method), [&] {
     check_interrupted();
@@ -121,7 +127,8 @@ void Workshop::time_reference(int rounds) {
   oneapi::tbb::task_arena arena(kTimedThreads);
   const std::size_t enough = std::min(std::size_t(rounds), kSlowRounds);
   while (notebook_.rounds(kReference).size() < enough) {
-    round(kReference, [&] { arena.execute([&] { render(scene_); }); });
+    round(kReference,
+          [&] { arena.execute([&] { render(scene_, [](double) { check_interrupted(); }); }); });
   }
 }
 

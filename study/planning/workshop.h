@@ -27,6 +27,9 @@ class Workshop {
 
   const Judgement& judgement(const Method& method);
 
+  /// The scene as --fast draws it.
+  Image draw_beside() const;
+
   /// Times the methods until each has so many rounds, each round all in turns.
   void time(std::span<const Method> methods, int rounds);
 

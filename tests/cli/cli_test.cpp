@@ -94,6 +94,36 @@ TEST_F(Program, what_stood_there_survives_a_failure) {
   EXPECT_EQ(files(), (std::vector<std::string>{"out.png", "scene.json"})) << "no partial file";
 }
 
+TEST_F(Program, nothing_overwrites_what_a_scene_is_read_from) {
+  lumaknot({"render", "figure2", "--fast", "-o", "wall.png"});
+  lumaknot({"mesh", "--segments", "24", "--sides", "6", "-o", "knot.obj"});
+  write("report.json", R"({"mesh": {"file": "knot.obj"}, "texture": {"file": "wall.png"},
+                           "image": {"width": 24, "height": 20}})");
+  fs::create_symlink("report.json", path("chart.csv"));
+  fs::copy_file(path("wall.png"), path("a.texture.png"));
+  write("a.json", R"({"texture": {"file": "a.texture.png"}})");
+  const std::vector<std::string> before = files();
+  const std::string scene = read("report.json"), wall = read("wall.png"), knot = read("knot.obj");
+  expect_refused({"render", "report.json", "-o", "wall.png"}, "would overwrite the texture.file");
+  expect_refused({"render", "a.json", "-o", "./a.texture.png"}, "overwrite the texture.file");
+  expect_refused({"budget", "a.json", "-o", "a.texture.png"}, "overwrite the texture.file");
+  expect_refused({"bench", "report.json", "-o", "report.json"}, "would overwrite the scene");
+  expect_refused({"bench", "report.json", "--picture", "report.json"}, "--picture report.json");
+  expect_refused({"export", "report.json", "-o", "knot.obj"}, "would overwrite the mesh.file");
+  expect_refused({"export", "a.json", "-o", "a.obj"}, "would overwrite the texture.file");
+  expect_refused({"validate", "report.json", "-o", "."}, "would overwrite the scene");
+  expect_refused({"chart", "report.json", "-o", "."}, "chart.csv would overwrite the scene");
+  EXPECT_EQ(files(), before);
+  fs::copy_file(path("report.json"), path("parameters.json"));
+  expect_refused(
+      {"shader", "--scene", "parameters.json", "--lang", "glsl-330", "-o", ".", "--quiet"},
+      "parameters.json would overwrite the scene");
+  EXPECT_EQ(read("parameters.json"), scene);
+  EXPECT_EQ(read("report.json"), scene);
+  EXPECT_EQ(read("wall.png"), wall);
+  EXPECT_EQ(read("knot.obj"), knot);
+}
+
 TEST_F(Program, the_same_input_gives_the_same_bytes) {
   for (const std::string name :
        {"knot.obj", "knot.ply", "knot.stl", "knot.off", "knot.om", "knot.inc"}) {

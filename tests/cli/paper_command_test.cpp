@@ -52,7 +52,7 @@ TEST_F(PaperCommand, leaves_nothing_behind_that_a_next_run_would_take_for_begun)
   EXPECT_FALSE(fs::exists(path("out/images/back.json")));
 }
 
-TEST_F(PaperCommand, ctrl_c_keeps_the_pictures_and_says_how_to_go_on) {
+TEST_F(PaperCommand, ctrl_c_says_that_what_lacks_a_renderer_is_drawn_anew) {
   std::vector<std::string> arguments = alone({"--rounds", "1000"});
   arguments.erase(arguments.begin() + 4, arguments.begin() + 6);
   arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
@@ -63,8 +63,7 @@ TEST_F(PaperCommand, ctrl_c_keeps_the_pictures_and_says_how_to_go_on) {
   process.signal(SIGINT);
   const Ended ended = process.wait(std::chrono::seconds(60));
   EXPECT_EQ(ended.exit_code, 130) << ended.log;
-  EXPECT_THAT(ended.log, HasSubstr("the pictures of 2 of 2 lights are kept in out/images; the same "
-                                   "command goes on"));
+  EXPECT_THAT(ended.log, HasSubstr("interrupted; the same command begins anew"));
   EXPECT_FALSE(fs::exists(path("out/index.html")));
 }
 

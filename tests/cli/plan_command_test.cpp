@@ -8,6 +8,7 @@
 namespace lumaknot {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -72,6 +73,29 @@ TEST_F(PlanCommand, takes_the_texture_along) {
   EXPECT_EQ(nlohmann::json::parse(read("out/scene.json"))["texture"]["file"], "texture.png");
 }
 
+TEST_F(PlanCommand, its_own_scene_and_texture_are_never_overwritten) {
+  fs::create_directory(path("own"));
+  lumaknot({"render", "figure2", "--fast", "-o", "own/texture.png"});
+  write("own/scene.json",
+        R"({"texture": {"file": "texture.png"}, "image": {"width": 32, "height": 24}})");
+  const std::string scene = read("own/scene.json"), texture = read("own/texture.png");
+  expect_refused({"plan", "own/scene.json", "-o", "own"}, "would overwrite the scene");
+  fs::rename(path("own/scene.json"), path("own/mine.json"));
+  expect_refused({"plan", "own/mine.json", "-o", "own"}, "would overwrite the texture.file");
+  fs::create_directory(path("links"));
+  fs::create_symlink("../own/mine.json", path("links/certificate.json"));
+  expect_refused({"plan", "own/mine.json", "-o", "links/."}, "would overwrite the scene");
+  EXPECT_EQ(read("own/mine.json"), scene);
+  EXPECT_EQ(read("own/texture.png"), texture);
+  EXPECT_FALSE(fs::exists(path("own/measured.json")));
+}
+
+TEST_F(PlanCommand, may_be_made_again_in_its_own_folder) {
+  lumaknot(quick());
+  EXPECT_EQ(lumaknot(quick()).exit_code, 0);
+  expect_refused({"plan", "out/scene.json", "-o", "out"}, "would overwrite the scene");
+}
+
 TEST_F(PlanCommand, tells_json_alone_on_request) {
   const Ended ended = lumaknot(quick({"--json"}));
   EXPECT_EQ(nlohmann::json::parse(ended.log), certificate());
@@ -115,6 +139,21 @@ TEST_F(PlanCommand, ctrl_c_keeps_what_was_measured_and_the_same_command_goes_on)
   for (const auto& [name, judgement] : kept.items()) EXPECT_EQ(after[name], judgement);
 }
 
+TEST_F(PlanCommand, ctrl_c_before_anything_is_measured_says_so_and_keeps_no_folder) {
+  write("large.json", R"({"image": {"width": 3000, "height": 2400}})");
+  Process process(
+      {{LUMAKNOT_PROGRAM, "plan", "large.json", "-o", "out"}, folder_.path(), sanitizer_options()});
+  for (int tries = 0; tries < 1000 && !fs::exists(path("out")); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  process.signal(SIGINT);
+  const Ended ended = process.wait(std::chrono::seconds(30));
+  EXPECT_EQ(ended.exit_code, 130) << ended.log;
+  EXPECT_THAT(ended.log, HasSubstr("interrupted; nothing is kept yet"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_F(PlanCommand, another_tolerance_is_measured_anew_and_said_so) {
   lumaknot(quick());
   EXPECT_THAT(lumaknot(quick({"--tolerance", "0.02"})).log, HasSubstr("measured anew"));
@@ -124,6 +163,12 @@ TEST_F(PlanCommand, another_tolerance_is_measured_anew_and_said_so) {
 TEST_F(PlanCommand, tolerances_that_mean_nothing_are_refused) {
   for (const char* wrong : {"0", "-1/255", "nan", "inf", "1/0", "0/0", "one", "1/", "", "1/2/3"}) {
     expect_refused(quick({std::string("--tolerance=") + wrong}), "--tolerance");
+  }
+  for (const char* wrong : {"1", "5", "255/255", "255/1"}) {
+    expect_refused(quick({"--tolerance", wrong}), "--tolerance must be > 0 and < 1");
+  }
+  for (const char* wrong : {"0/0", "-1/-255", "1/0", "1/-255"}) {
+    expect_refused(quick({std::string("--tolerance=") + wrong}), std::string("got ") + wrong);
   }
   expect_refused(quick({"--tolerance", "1e-9"}), "finer than the truth");
   write("small.json", R"({"image": {"width": 32, "height": 24, "samples": 2}})");
@@ -135,7 +180,14 @@ TEST_F(PlanCommand, tolerances_that_mean_nothing_are_refused) {
 TEST_F(PlanCommand, scenes_without_a_pixel_or_an_exact_surface_are_refused) {
   write("nothing.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
                             "image": {"width": 24, "height": 20}})");
-  expect_refused({"plan", "nothing.json", "-o", "out"}, "covers no pixel");
+  for (const char* command : {"plan", "budget"}) {
+    expect_refused({command, "nothing.json"}, "covers no pixel's centre; move camera.position");
+  }
+  expect_refused({"plan", "nothing.json", "-o", "new/out"}, "covers no pixel");
+  EXPECT_THAT(files(), ElementsAre("nothing.json", "small.json")) << "no empty folder";
+  fs::create_directories(path("old/out"));
+  expect_refused({"plan", "nothing.json", "-o", "old/out"}, "covers no pixel");
+  EXPECT_TRUE(fs::exists(path("old/out")));
   write("three.json", R"({"mesh": {"knot": {"convention": "three"}}})");
   expect_refused({"plan", "three.json", "-o", "out"}, "three");
   lumaknot({"mesh", "--segments", "24", "--sides", "6", "-o", "knot.obj"});

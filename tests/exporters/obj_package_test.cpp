@@ -52,7 +52,8 @@ TEST(ObjMaterials, numbers_keep_to_the_ranges_of_mtl) {
 TEST(WriteObjScene, files_name_each_other_without_what_ends_a_name) {
   const TemporaryFolder folder;
   const Scene scene = small_scene();
-  const auto written = write_obj_scene(folder / "my #1 knot.obj", scene, "--output");
+  const auto written = write_obj_scene(folder / "my #1 knot.obj", scene.mesh,
+                                       obj_materials(scene, "my #1 knot"), "--output");
   EXPECT_THAT(written, ElementsAre("my__1_knot.texture.png", "my__1_knot.mtl", "my #1 knot.obj"));
   EXPECT_THAT(folder.names(),
               UnorderedElementsAre("my__1_knot.texture.png", "my__1_knot.mtl", "my #1 knot.obj"));

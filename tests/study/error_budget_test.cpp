@@ -108,7 +108,7 @@ TEST(ErrorBudget, refuses_what_it_has_no_stage_for) {
   scene.view.image = {8, 8, 1};
   scene.view.camera.target = {0, -10, 2.4};
   EXPECT_THAT([&] { error_budget(scene, knot, kOptions); },
-              ThrowsMessage<Error>(HasSubstr("no pixel shows the knot")));
+              ThrowsMessage<Error>(HasSubstr("covers no pixel's centre; move camera.position")));
 }
 
 }  // namespace

@@ -4,13 +4,14 @@
 namespace lumaknot {
 namespace {
 
-/// A row of one thread whose listing costs `cost`.
-RateRow row(const std::string& renderer, double cost, double milliseconds = 10) {
+/// A row of one thread whose listing costs `cost`, give or take `noise`.
+RateRow row(const std::string& renderer, double cost, double milliseconds = 10, double noise = 0) {
   RateRow r;
   r.renderer = renderer;
   r.threads = 1;
   r.milliseconds.fill({milliseconds, milliseconds, milliseconds});
   r.costs = {0, cost, cost};
+  r.cost_intervals.fill({cost - noise, cost + noise});
   return r;
 }
 
@@ -40,12 +41,28 @@ TEST(PaperSpeed, the_text_of_table_2_follows_from_its_rates_but_for_its_32_perce
   EXPECT_NEAR(measure(claim, "a frame takes longer by at most").value, 48.3, 0.1);
 }
 
-TEST(PaperSpeed, slower_in_all_instances_needs_all_rows) {
-  EXPECT_EQ(ruling_of(slower_claim(std::vector{row("a", 0.1), row("b", 0.02)})), Ruling::kHolds);
-  EXPECT_EQ(ruling_of(slower_claim(std::vector{row("a", 0.1), row("b", 0.001)})),
-            Ruling::kHoldsInPart);
-  EXPECT_EQ(ruling_of(slower_claim(std::vector{row("a", -0.1), row("b", 0.001)})),
-            Ruling::kDoesNotHold);
+TEST(PaperSpeed, slower_in_all_instances_needs_all_rows_that_are_decided) {
+  const auto claim = [](const RateRow& a, const RateRow& b) {
+    return slower_claim(std::vector{a, b});
+  };
+  EXPECT_EQ(ruling_of(claim(row("a", 0.1), row("b", 0.02))), Ruling::kHolds);
+  EXPECT_EQ(ruling_of(claim(row("a", 0.1), row("b", -0.02))), Ruling::kDoesNotHold);
+  const PaperClaim half = claim(row("a", 0.1), row("b", 0.001));
+  EXPECT_EQ(ruling_of(half), Ruling::kHolds);
+  EXPECT_EQ(measure(half, "rows not decided").value, 1);
+  EXPECT_THAT(half.beyond, ::testing::HasSubstr("1 of 2 rows"));
+}
+
+TEST(PaperSpeed, what_turns_on_noise_is_not_decided) {
+  const auto noisy = [](double cost) { return row("a", cost, 10, 0.02); };
+  EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(0.02)})), Ruling::kNotMeasurable);
+  EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(-0.02)})), Ruling::kNotMeasurable);
+  EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(0.03)})), Ruling::kHolds);
+  const PaperClaim cost = cost_claim(std::vector{noisy(0.01), noisy(0.15)}, paper_rows());
+  EXPECT_EQ(ruling_of(cost), Ruling::kHolds) << "of the most alone";
+  EXPECT_FALSE(measure(cost, "least cost here").is_bound());
+  EXPECT_THAT(cost.beyond, ::testing::HasSubstr("the least cost here is from -1.5 to 3.5 %"));
+  EXPECT_EQ(ruling_of(cost_claim(std::vector{noisy(0.01)}, paper_rows())), Ruling::kNotMeasurable);
 }
 
 TEST(PaperSpeed, costs_are_held_to_those_of_the_papers_table) {

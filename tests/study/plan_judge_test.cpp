@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "scene/error.h"
 #include "study/planning/judge.h"
@@ -81,6 +83,19 @@ TEST(Judge, one_pixel_beyond_is_enough) {
   pixel = right;
   pixel.color.r = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(judge.judge(image).met);
+}
+
+TEST(Judge, errors_in_place_are_told_whatever_the_shift_allows) {
+  const SceneSpec spec = small_spec(48);
+  const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
+  const PixelErrors moved = judge.judge_all(moved_truth(spec, 0.24));
+  EXPECT_TRUE(moved.judgement.met);
+  const auto& pixels = moved.in_place.pixels;
+  EXPECT_FLOAT_EQ(float(moved.judgement.in_place), *std::ranges::max_element(pixels));
+  EXPECT_NEAR(moved.judgement.mean_in_place * double(moved.judgement.covered),
+              std::accumulate(pixels.begin(), pixels.end(), 0.0), 1e-4);  // kept in float
+  EXPECT_EQ(moved.judgement.shifted,
+            std::ranges::count_if(pixels, [](float e) { return e > kStep; }));
 }
 
 TEST(Judge, colours_beyond_one_are_white_as_on_a_display) {
@@ -179,7 +194,7 @@ TEST(Judge, refuses_a_scene_that_covers_no_pixel) {
 }
 
 TEST(Tolerance, that_no_picture_can_be_held_to_is_refused) {
-  for (const double color : {0.0, -1.0, 1e-8, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double color : {0.0, -1.0, 1e-8, 1.0, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(check_tolerance({color, 0.25}, false), Error);
   }
   EXPECT_THROW(check_tolerance({5e-5, 0.25}, true), Error);

@@ -20,6 +20,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::Field;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Plans : public ::testing::Test {
  protected:
@@ -214,6 +215,70 @@ TEST_F(Plans, measure_nothing_again_that_the_folder_holds) {
   EXPECT_EQ(told_, "");
   plan(spec, {0.02, 0.25});
   EXPECT_THAT(told_, HasSubstr("measured anew"));
+}
+
+TEST_F(Plans, count_as_kept_what_is_of_the_same_scene_and_tolerance) {
+  const SceneSpec spec = small_spec(32);
+  PlanJob job{made(spec), spec, {}, false, 1};
+  EXPECT_EQ(measured_choices(job, folder_.path()), 0u);
+  const Plan p = plan(spec);
+  EXPECT_GE(measured_choices(job, folder_.path()), p.choices.size());
+  job.tolerance.color = 0.02;
+  EXPECT_EQ(measured_choices(job, folder_.path()), 0u);
+}
+
+/// Of 100 pixels so many within the tolerance by the shift alone.
+Plan met_by_the_shift(long long shifted) {
+  Plan p;
+  p.met = p.chosen.judgement.met = true;
+  p.chosen.judgement = {.error = 0,
+                        .in_place = 0.61,
+                        .mean_in_place = 0.27,
+                        .covered = 100,
+                        .shifted = shifted,
+                        .hidden = 3,
+                        .failing = 0,
+                        .met = true};
+  p.chosen.milliseconds = 4;
+  p.reference_milliseconds = 40;
+  p.fast_milliseconds = 3;
+  p.before = p.after = p.in_place = p.errors = Image(2, 2);
+  return p;
+}
+
+TEST(PlanReport, tells_how_many_pixels_meet_the_tolerance_by_the_shift_alone) {
+  const Plan few = met_by_the_shift(10), many = met_by_the_shift(45);
+  EXPECT_THAT(plan_text(few), HasSubstr("in place 10 of 100 pixels (10 %) are beyond 0.0039: by "
+                                        "0.61 at most, the mean of all is 0.27"));
+  EXPECT_THAT(plan_text(few), HasSubstr("3 count for what is hidden by less"));
+  EXPECT_THAT(plan_text(few), Not(HasSubstr("warning")));
+  EXPECT_THAT(plan_text(many), HasSubstr("warning: 45 % of the pixels meet it by the shift alone"));
+  EXPECT_THAT(plan_text(many), HasSubstr("try --shift 0.05 or more image.samples"));
+  EXPECT_THAT(plan_json(many), HasSubstr(R"("mean_in_place": 0.27)"));
+  EXPECT_THAT(plan_json(many), HasSubstr(R"("warning": "45 % of the pixels)"));
+  EXPECT_THAT(plan_json(few), Not(HasSubstr("warning")));
+  const std::string page = plan_html(many, "a scene", "");
+  EXPECT_THAT(page, HasSubstr("45 % of the pixels meet it by the shift alone"));
+  EXPECT_THAT(page, HasSubstr("45 (45 %)</td><td class=\"number\">0.610</td>"));
+  EXPECT_THAT(page, HasSubstr("for 3 of the pixels"));
+}
+
+TEST(PlanReport, says_slower_of_what_is_slower) {
+  EXPECT_THAT(plan_text(met_by_the_shift(0)),
+              HasSubstr("10.0 times faster than the reference (40.0 ms), 1.33 times slower than "
+                        "--fast (3.00 ms), whose picture of the scene as it was does not meet"));
+  EXPECT_THAT(plan_html(met_by_the_shift(0), "a scene", ""), HasSubstr("1.33 times slower than"));
+}
+
+TEST_F(Plans, judge_the_scene_s_own_fast_picture_too) {
+  SceneSpec spec = small_spec(32);
+  spec.mesh = KnotSpec{.segments = 24, .sides = 4};
+  const Plan coarse = plan(spec, {0.02, 0.25});
+  EXPECT_FALSE(coarse.fast.met);
+  EXPECT_TRUE(coarse.met);
+  EXPECT_THAT(plan_json(coarse), HasSubstr("\"before_fast\": {\n    \"met\": false"));
+  spec.mesh = KnotSpec{.segments = 900, .sides = 120};
+  EXPECT_TRUE(plan(spec, {0.02, 0.25}).fast.met);
 }
 
 TEST_F(Plans, errors_by_part_stay_below_what_is_predicted) {

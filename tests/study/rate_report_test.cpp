@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace lumaknot {
@@ -29,6 +30,20 @@ TEST(RateReport, cost_is_the_share_of_the_rate_that_is_lost) {
   EXPECT_EQ(row.costs[0], 0);
   EXPECT_DOUBLE_EQ(row.costs[1], 0.2);  // 500 frames a second become 400
   EXPECT_DOUBLE_EQ(row.costs[2], 0.5);
+}
+
+TEST(RateReport, rounds_that_disagree_widen_where_a_cost_lies) {
+  const auto of = [](std::vector<FrameTimes> rounds) {
+    RateRow row;
+    summarise(rounds, row);
+    return row.cost_intervals[2];
+  };
+  const FrameTimes fast{{{2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}}};
+  EXPECT_TRUE(std::isinf(of({times()}).low));  // five pairs
+  EXPECT_DOUBLE_EQ(of({times(), times(), times()}).low, 0.5);
+  const Interval wide = of({times(), times(), times(), times(), fast});
+  EXPECT_EQ(wide.low, 0);
+  EXPECT_DOUBLE_EQ(wide.high, 0.5);
 }
 
 TEST(RateReport, paper_rows_are_table_2) {

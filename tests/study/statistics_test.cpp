@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace lumaknot {
 namespace {
 
@@ -27,6 +29,22 @@ TEST(Statistics, paired_ratio_does_not_see_that_the_machine_slows_down) {
   // Each pair has the ratio 1.25 while the machine becomes ten times slower; one pair is disturbed.
   const std::vector<double> below{1, 2, 4, 8, 10}, above{1.25, 2.5, 5, 80, 12.5};
   EXPECT_EQ(paired_ratio(above, below), 1.25);
+}
+
+TEST(Statistics, the_median_s_interval_is_that_of_tables_of_order_statistics) {
+  // Ranks of the 95 % interval from the binomial distribution, as tables have them.
+  const std::vector<std::pair<int, int>> ranks{{6, 1}, {9, 2}, {20, 6}, {50, 18}, {100, 40}};
+  for (const auto& [count, rank] : ranks) {
+    std::vector<double> values;
+    for (int i = count; i > 0; --i) values.push_back(i);
+    EXPECT_EQ(median_interval(values).low, rank) << count;
+    EXPECT_EQ(median_interval(values).high, count + 1 - rank) << count;
+  }
+}
+
+TEST(Statistics, of_fewer_than_six_values_the_median_may_lie_anywhere) {
+  EXPECT_TRUE(std::isinf(median_interval({1, 1, 1, 1, 1}).low));
+  EXPECT_TRUE(std::isinf(median_interval({}).high));
 }
 
 TEST(Statistics, a_quantile_is_the_least_value_that_the_share_does_not_exceed) {
