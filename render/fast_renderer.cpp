@@ -43,7 +43,8 @@ void check(const Scene& scene, const FastOptions& options) {
         fmt::format("the mesh may have at most {} triangles and vertices here, got {} and {}",
                     kMostTriangles, scene.mesh.triangles.size(), scene.mesh.positions.size()));
   }
-  if (options.level > best_simd_level()) throw Error("--simd: this processor has no such instructions; leave it out");
+  if (options.level > best_simd_level())
+    throw Error("--simd: this processor has no such instructions; leave it out");
 }
 
 TileMemory tile_memory(std::size_t samples) {
