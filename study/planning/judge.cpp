@@ -3,7 +3,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 
 #include "scene/error.h"
@@ -38,7 +37,7 @@ SampleRange range_about(const Sample& sample, double error) {
 std::unique_ptr<NearbyRange> nearby_range(const Sample& sample, double error) {
   const SampleRange range = range_about(sample, error);
   return std::make_unique<NearbyRange>(
-      NearbyRange{.place = range, .quick = {}, .full = {}, .behind = {}});
+      NearbyRange{.place = range, .coarse = {}, .quick = {}, .full = {}, .behind = {}});
 }
 
 template <class F>
@@ -50,11 +49,18 @@ void each(std::span<const std::size_t> pixels, const F& work) {
   });
 }
 
-/// The pixels in `order` by falling error.
-std::vector<std::size_t> worst_first(std::vector<std::size_t> order, const Grid<float>& errors) {
-  std::ranges::stable_sort(order, std::ranges::greater{},
-                           [&](std::size_t i) { return errors.pixels[i]; });
-  return order;
+constexpr int kLooks = 3;  // coarse, quick, full
+
+/// The last `count` of `heap`, its worst, taken from it.
+template <class Suspect>
+std::vector<Suspect> take_worst(std::vector<Suspect>& heap, std::size_t count) {
+  std::vector<Suspect> worst;
+  while (!heap.empty() && worst.size() < count) {
+    std::ranges::pop_heap(heap, {}, &Suspect::error);
+    worst.push_back(heap.back());
+    heap.pop_back();
+  }
+  return worst;
 }
 
 }  // namespace
@@ -121,66 +127,80 @@ void Judge::take_means(const Progress& progress) {
   }
 }
 
-double Judge::quick_error(std::size_t pixel, const Sample& sample) const {
-  std::unique_ptr<NearbyRange>& nearby = ranges_[pixel];
-  if (!nearby) nearby = nearby_range({}, 0);
-  const double in_place = nearby->place.distance(sample);
-  if (in_place <= tolerance_.color) return in_place;
-  const int width = truth_.width;
-  nearby_.look_quickly(*nearby, int(pixel) % width, int(pixel) / width);
-  return nearby->quick.distance(sample);
-}
-
-Judge::Found Judge::full_error(std::size_t pixel, const Sample& sample) const {
-  NearbyRange& nearby = *ranges_[pixel];
-  const int width = truth_.width;
-  nearby_.look_fully(nearby, int(pixel) % width, int(pixel) / width);
-  const double seen = nearby.full.distance(sample);
-  if (seen <= tolerance_.color) return {seen, false};
-  const double behind = nearby.behind.distance(sample);
-  return {behind, behind <= tolerance_.color};
-}
-
-PixelErrors Judge::examine(const Image& picture, bool all) const {
-  const Grid<float> none(picture.width, picture.height);
-  PixelErrors result{{}, none, none};
+/// The pixels beyond the tolerance in place, as a heap; counts those that are covered.
+std::vector<Judge::Suspect> Judge::suspects(const Image& picture, PixelErrors& result) const {
+  std::vector<Suspect> far;
   Judgement& judgement = result.judgement;
-  std::vector<std::size_t> far;  // in place
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     if (picture.pixels[i].coverage == 0 && truth_.pixels[i].coverage == 0) continue;
     ++judgement.covered;
-    const double error =
-        range_about(sample_of(truth_.pixels[i]), 0).distance(sample_of(picture.pixels[i]));
+    const Sample sample = sample_of(picture.pixels[i]);
+    const double error = range_about(sample_of(truth_.pixels[i]), 0).distance(sample);
     judgement.in_place = std::max(judgement.in_place, error);
     judgement.mean_in_place += error;
     result.in_place.pixels[i] = float(error);
-    far.push_back(i);
     if (!(error <= tolerance_.color)) ++judgement.shifted;
+    if (!ranges_[i]) ranges_[i] = nearby_range({}, 0);
+    const double most = ranges_[i]->place.distance(sample);
+    result.errors.pixels[i] = float(most);
+    if (!(most <= tolerance_.color)) far.push_back({.pixel = i, .error = most});
   }
   if (judgement.covered > 0) judgement.mean_in_place /= double(judgement.covered);
-  std::atomic<long long> hidden = 0;
-  each(far, [&](std::size_t i) {
-    result.errors.pixels[i] = float(quick_error(i, sample_of(picture.pixels[i])));
-  });
-  const auto beyond = [&](std::size_t i) { return !(result.errors.pixels[i] <= tolerance_.color); };
-  std::erase_if(far, [&](std::size_t i) { return !beyond(i); });
-  far = worst_first(std::move(far), result.errors);
-  constexpr std::size_t kChunk = 256;
-  for (std::size_t begin = 0; begin < far.size(); begin += kChunk) {
-    const auto chunk = std::span(far).subspan(begin, std::min(kChunk, far.size() - begin));
-    each(chunk, [&](std::size_t i) {
-      const Found found = full_error(i, sample_of(picture.pixels[i]));
-      result.errors.pixels[i] = float(found.error);
-      hidden += found.hidden;
+  std::ranges::make_heap(far, {}, &Suspect::error);
+  return far;
+}
+
+void Judge::look_closer(Suspect& suspect, const Sample& sample) const {
+  NearbyRange& nearby = *ranges_[suspect.pixel];
+  const int x = int(suspect.pixel) % truth_.width, y = int(suspect.pixel) / truth_.width;
+  switch (++suspect.looks) {
+    case 1:
+      nearby_.look_coarsely(nearby, x, y);
+      suspect.error = nearby.coarse.distance(sample);
+      return;
+    case 2:
+      nearby_.look_quickly(nearby, x, y);
+      suspect.error = nearby.quick.distance(sample);
+      return;
+    default:
+      nearby_.look_fully(nearby, x, y);
+      suspect.error = nearby.full.distance(sample);
+  }
+  if (suspect.error <= tolerance_.color) return;
+  suspect.error = nearby.behind.distance(sample);
+  suspect.hidden = suspect.error <= tolerance_.color;
+}
+
+/// Always the worst pixels first, and closer only where that decides.
+PixelErrors Judge::examine(const Image& picture, bool all) const {
+  constexpr std::size_t kChunk = 64;
+  const Grid<float> none(picture.width, picture.height);
+  PixelErrors result{{}, none, none};
+  Judgement& judgement = result.judgement;
+  std::vector<Suspect> far = suspects(picture, result);
+  double worst = 0;  // of those that fail
+  while (!far.empty()) {
+    if (!all && judgement.failing > kFar && far.front().error <= worst) break;
+    check_interrupted();
+    std::vector<Suspect> chunk = take_worst(far, kChunk);
+    oneapi::tbb::parallel_for(std::size_t{0}, chunk.size(), [&](std::size_t k) {
+      look_closer(chunk[k], sample_of(picture.pixels[chunk[k].pixel]));
     });
-    judgement.failing += std::ranges::count_if(chunk, beyond);
-    if (!all && judgement.failing > 0) break;
+    for (const Suspect& suspect : chunk) {
+      result.errors.pixels[suspect.pixel] = float(suspect.error);
+      judgement.hidden += suspect.hidden;
+      if (suspect.error <= tolerance_.color) continue;
+      if (suspect.looks == kLooks) {
+        ++judgement.failing;
+        worst = std::max(worst, suspect.error);
+        continue;
+      }
+      far.push_back(suspect);
+      std::ranges::push_heap(far, {}, &Suspect::error);
+    }
   }
-  judgement.hidden = hidden;
   judgement.met = judgement.failing == 0;
-  for (std::size_t i = 0; i < result.errors.pixels.size(); ++i) {
-    judgement.error = std::max(judgement.error, double(result.errors.pixels[i]));
-  }
+  judgement.error = *std::ranges::max_element(result.errors.pixels);
   return result;
 }
 

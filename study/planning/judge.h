@@ -14,8 +14,8 @@ namespace lumaknot {
 /// How a picture stands to the truth. Errors are of the largest channel, coverage among them, of
 /// every pixel that the picture or the truth covers, unrounded, colours limited to [0, 1].
 struct Judgement {
-  /// The largest: in place where that is within the tolerance, else from what a quick look about
-  /// the pixel finds, else from what a full one does.
+  /// The largest: in place where that is within the tolerance, else from what the first look about
+  /// the pixel finds that shows it to be, else from what a full one does.
   double error = 0;
   double in_place = 0;       ///< the largest, from the truth at the very pixel
   double mean_in_place = 0;  ///< the mean of those
@@ -25,6 +25,9 @@ struct Judgement {
   long long failing = 0;     ///< those beyond the tolerance; when stopped early, at least so many
   bool met = false;
 };
+
+/// A picture of which more pixels than this fail misses the tolerance by far.
+inline constexpr long long kFar = 16;
 
 /// A judgement pixel by pixel.
 struct PixelErrors {
@@ -43,7 +46,8 @@ class Judge {
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
-  /// Stops early where the tolerance is not met: `error` is then of the worst pixels.
+  /// Stops early where the tolerance is missed by far: when more pixels than kFar fail and no other
+  /// can be worse, so that `error` is that of all.
   Judgement judge(const Image& picture) const;
 
   PixelErrors judge_all(const Image& picture) const;
@@ -56,16 +60,20 @@ class Judge {
   const Grid<ExactFragment>& fragments() const { return fragments_; }
 
  private:
-  PixelErrors examine(const Image& picture, bool all) const;
+  /// A pixel that is beyond the tolerance, as far as it was looked at.
+  struct Suspect {
+    std::size_t pixel = 0;
+    double error = 0;     ///< the most that it can be
+    int looks = 0;        ///< about the pixel, each closer
+    bool hidden = false;  ///< within the tolerance of what is hidden by less than the shift alone
+  };
+
   void look_at_centres();
   void take_centres();
   void take_means(const Progress& progress);
-  double quick_error(std::size_t pixel, const Sample& sample) const;
-  struct Found {
-    double error = 0;
-    bool hidden = false;  ///< within the tolerance of what is hidden by less than the shift alone
-  };
-  Found full_error(std::size_t pixel, const Sample& sample) const;
+  PixelErrors examine(const Image& picture, bool all) const;
+  std::vector<Suspect> suspects(const Image& picture, PixelErrors& result) const;
+  void look_closer(Suspect& suspect, const Sample& sample) const;
 
   Scene scene_;
   Tolerance tolerance_;

@@ -59,10 +59,18 @@ double SampleRange::distance(const Sample& sample) const {
   return worst;
 }
 
+void Nearby::look_coarsely(NearbyRange& nearby, int x, int y) const {
+  if (nearby.has_coarse) return;
+  nearby.has_coarse = true;
+  nearby.coarse = nearby.place;
+  if (area_ && shift_ > 0) look_at_cells(nearby.coarse, x, y, 8);
+}
+
 void Nearby::look_quickly(NearbyRange& nearby, int x, int y) const {
   if (nearby.has_quick) return;
+  look_coarsely(nearby, x, y);
   nearby.has_quick = true;
-  nearby.quick = nearby.place;
+  nearby.quick = nearby.coarse;
   if (shift_ == 0) return;
   if (area_) return look_at_cells(nearby.quick, x, y, 16);
   look_around(nearby.quick, x + 0.5, y + 0.5);

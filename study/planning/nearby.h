@@ -35,10 +35,11 @@ struct SampleRange {
 /// What one pixel may show, as far as it was looked at. Each holds the one before.
 struct NearbyRange {
   SampleRange place;   ///< of the very place
+  SampleRange coarse;  ///< of the fewest cells; of point truth the place
   SampleRange quick;   ///< of a few rays or cells
   SampleRange full;    ///< of many
   SampleRange behind;  ///< and of what is hidden by less than the shift
-  bool has_quick = false, has_full = false;
+  bool has_coarse = false, has_quick = false, has_full = false;
 };
 
 /// How deep a straight way leads into a round tube, at its deepest: the tube's radius minus the
@@ -48,9 +49,10 @@ double passage_depth(const Vec3d& through, const Vec3d& normal, double tube_radi
 
 /// Looks at the truth about pixels: first quickly, then fully. Of point truth: eight directions at
 /// the shift, eight at half of it; then at eight distances in thirty-two directions and on both
-/// sides of every edge between them. Of area truth: n x n cells of the pixel, n = 16, then 32, each
-/// with the rays to cells so near that they are within the shift of all its points; the means of
-/// the cells' least and most. All see less than there is: what lies in the range is certainly near.
+/// sides of every edge between them. Of area truth: n x n cells of the pixel, n = 8, 16, then 32,
+/// each with the rays to cells so near that they are within the shift of all its points; the means
+/// of the cells' least and most. All see less than there is: what lies in the range is certainly
+/// near.
 ///
 /// A surface that is off by a hair has its horizon elsewhere, and shows what lies just beyond. So
 /// where a ray of the full look passes through the tube no deeper than what its own distance from
@@ -61,7 +63,8 @@ class Nearby {
   Nearby(const ExactPixels& pixels, double tube_radius, double shift, bool area)
       : pixels_(pixels), tube_radius_(tube_radius), shift_(shift), area_(area) {}
 
-  /// Fills `quick`, or `full` and `behind`, of the pixel (x, y), unless they are there.
+  /// Fills `coarse`, `quick`, or `full` and `behind`, of the pixel (x, y), unless they are there.
+  void look_coarsely(NearbyRange& nearby, int x, int y) const;
   void look_quickly(NearbyRange& nearby, int x, int y) const;
   void look_fully(NearbyRange& nearby, int x, int y) const;
 

@@ -24,6 +24,7 @@ class Rungs {
 
   Method at(std::size_t rung) const { return with_grid(way_, ladder_[rung]); }
   bool meets(std::size_t rung) { return workshop_.judgement(at(rung)).met; }
+  bool fails_by_far(std::size_t rung) { return workshop_.judgement(at(rung)).failing > kFar; }
 
   /// The coarsest that meets the tolerance, begun at `guess`. Errors need not fall from rung to
   /// rung: below what is found all are tried until two fail by far.
@@ -45,18 +46,18 @@ class Rungs {
 
  private:
   std::size_t scan_below(std::size_t good) {
-    constexpr long long kFar = 16;  // pixels
     int far = 0;
     for (std::size_t rung = good; rung-- > 0 && far < 2;) {
-      const Judgement& judgement = workshop_.judgement(at(rung));
-      if (judgement.met) good = rung;
-      far = judgement.failing > kFar ? far + 1 : 0;
+      if (meets(rung)) good = rung;
+      far = fails_by_far(rung) ? far + 1 : 0;
     }
     return good;
   }
 
-  /// One that meets it at `guess` or farther up, in growing steps.
+  /// One that meets it at `guess` or farther up, in growing steps; none where both that and the
+  /// finest grid fail by far, as another filter or too few samples do.
   std::optional<std::size_t> first_from(std::size_t guess) {
+    if (fails_by_far(guess) && fails_by_far(ladder_.size() - 1)) return {};
     for (std::size_t step = 1, rung = guess;; rung += step, step *= 2) {
       const std::size_t tried = std::min(rung, ladder_.size() - 1);
       if (meets(tried)) return tried;
