@@ -45,6 +45,7 @@ Data entry_data(const Entry& e) {
   data.set("measured", e.measured);
   data.set("limit", fmt::format("{:.4g}", e.limit));
   data.set("boundary", boundary_text(e.boundary));
+  if (const std::string again = again_text(e); !again.empty()) data.set("again", again);
   data.set("holds", fmt::format("{:.4g}", e.boundary.holds.error));
   data.set("fails", fmt::format("{:.4g}", e.boundary.fails.error));
   if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,8 @@ Json entry_json(const Entry& e) {
   json["limit"] = e.limit;
   json["holds"] = pair(e.boundary.holds);
   json["fails"] = pair(e.boundary.fails);
+  json["holds_again"] = Json::array();
+  for (const Stretch& s : holding_again(e)) json["holds_again"].push_back({s.from, s.to});
   json["remedy_worst"] = number(e.guarded_worst);
   json["sweep"] = pairs(e.sweep);
   json["remedy_sweep"] = pairs(e.guarded);
@@ -96,6 +99,15 @@ Json energies_json(const std::vector<Energy>& energies) {
   return list;
 }
 
+/// `x` in so many digits, rounded up or down.
+std::string rounded(double x, int digits, bool up) {
+  const std::string nearest = fmt::format("{:.{}g}", x, digits);
+  const double value = std::strtod(nearest.c_str(), nullptr);
+  if (up ? value >= x : value <= x) return nearest;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+  return fmt::format("{:.{}g}", up ? value + step : value - step, digits);
+}
+
 std::string energy_line(const Energy& e) {
   return fmt::format("{:<38} {:>9.4g} at {:2.0f} degrees  {}\n", e.term, e.most, e.at_degrees,
                      e.above_degrees < 0
@@ -114,13 +126,28 @@ std::string boundary_text(const Boundary& b) {
   return fmt::format("{} -> {}", b.holds.x, b.fails.x);
 }
 
+std::string again_text(const Entry& entry) {
+  constexpr int kDigits = 4;
+  std::string text;
+  for (const Stretch& s : holding_again(entry)) {
+    text += text.empty() ? "holds again " : " and ";
+    const bool rising = s.to > s.from;
+    text += s.from == s.to ? fmt::format("at {:.{}g}", s.from, kDigits)
+                           : fmt::format("from {} to {}", rounded(s.from, kDigits, rising),
+                                         rounded(s.to, kDigits, !rising));
+  }
+  return text;
+}
+
 std::string atlas_text(const Atlas& atlas) {
   std::string text;
   std::string_view group;
   for (const Entry& e : atlas.entries) {
     if (e.group != group) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", e.group);
     group = e.group;
-    text += fmt::format("  {:<25} {:<27} {}\n", e.name, boundary_text(e.boundary), e.parameter);
+    const std::string again = again_text(e);
+    text += fmt::format("  {:<25} {:<27} {}{}{}\n", e.name, boundary_text(e.boundary), e.parameter,
+                        again.empty() ? "" : "; ", again);
   }
   if (atlas.energies.empty()) return text;
   text += "\nEnergy: the most that comes back of the light that arrives\n";

@@ -29,6 +29,10 @@ Atlas read_atlas(std::string_view json, const std::filesystem::path& folder,
 /// One HTML page that needs nothing else.
 std::string atlas_html(const Atlas& atlas);
 
+/// "holds again from 150 to 1000": the swept values beyond the boundary that do, rounded into
+/// their stretches; empty where none does.
+std::string again_text(const Entry& entry);
+
 /// "0.38 -> 0.37", the boundary from holding to failing in as many digits as tell its sides apart.
 std::string boundary_text(const Boundary& boundary);
 

@@ -59,6 +59,14 @@ struct Measured {
   double x = 0, error = 0;
 };
 
+/// Neighbouring swept values that all hold or all fail, from the first to the last of them.
+struct Stretch {
+  double from = 0, to = 0;
+};
+
+/// The stretches of `sweep` whose errors are within `limit`, or the others when not `holding`.
+std::vector<Stretch> stretches(const std::vector<Measured>& sweep, double limit, bool holding);
+
 /// Two neighbouring values between which the method breaks.
 struct Boundary {
   Measured holds, fails;

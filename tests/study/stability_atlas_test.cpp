@@ -62,6 +62,63 @@ TEST(Boundary, must_be_on_the_way) {
   EXPECT_THROW(boundary_of(step_at(-1, {"x", 0, 2})), std::logic_error);
 }
 
+/// Holds below 0.3, from 1 to 1.3 and at 2.
+Region waves() {
+  Region region = step_at(0.3, {"x", 0, 2});
+  region.error = [](double x) { return x < 0.3 || (x > 0.99 && x < 1.31) || x == 2 ? 0.5 : 2; };
+  return region;
+}
+
+TEST(Stretches, are_of_one_kind) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Measured> sweep{{5, 0}, {4, 1}, {3, none}, {2, 2}, {1, 1}, {0, 2}};
+  const std::vector<Stretch> holding = stretches(sweep, 1, true),
+                             failing = stretches(sweep, 1, false);
+  ASSERT_EQ(holding.size(), 2u);
+  EXPECT_EQ(holding[0].from, 5);
+  EXPECT_EQ(holding[0].to, 4);
+  EXPECT_EQ(holding[1].from, 1);
+  EXPECT_EQ(holding[1].to, 1);
+  ASSERT_EQ(failing.size(), 2u);
+  EXPECT_EQ(failing[0].from, 3);
+  EXPECT_EQ(failing[0].to, 2);
+}
+
+TEST(Atlas, tells_where_a_method_holds_again) {
+  const Atlas atlas{{examine(waves(), {.pictures = false}, [](double) {})}, {}};
+  EXPECT_EQ(again_text(atlas.entries[0]), "holds again from 1 to 1.3 and at 2");
+  EXPECT_THAT(atlas_text(atlas), HasSubstr("x; holds again from 1 to 1.3"));
+  EXPECT_THAT(atlas_html(atlas), HasSubstr("; holds again from 1 to 1.3 and at 2."));
+  const auto json = nlohmann::json::parse(atlas_json(atlas))["regions"][0]["holds_again"];
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[1], nlohmann::json({2, 2}));
+  const Atlas once{{examine(step_at(0.3, {"x", 0, 2}), {.pictures = false}, [](double) {})}, {}};
+  EXPECT_THAT(atlas_html(once) + atlas_text(once), Not(HasSubstr("holds again")));
+}
+
+TEST(Atlas, rounds_stretches_inwards) {
+  Entry entry;
+  entry.limit = 1;
+  entry.sweep = {{1, 0}, {50, 2}, {149.6236, 0}, {1000.4, 0}};
+  EXPECT_EQ(again_text(entry), "holds again from 149.7 to 1000");
+  entry.sweep = {{1000.4, 0}, {500, 2}, {149.6236, 0}, {1e-9, 0}};
+  EXPECT_EQ(again_text(entry), "holds again from 149.6 to 1e-09");
+}
+
+TEST(Atlas, shades_what_was_measured_to_fail) {
+  const auto shades = [](const Region& region) {
+    const std::string svg =
+        sweep_chart(region, examine(region, {.pictures = false}, [](double) {}));
+    int count = 0;
+    for (std::size_t at = 0; (at = svg.find("fill = 'rgb(251, 227, 223)'", at)) != svg.npos; ++at) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(shades(waves()), 2);
+  EXPECT_EQ(shades(step_at(0.3, {"x", 0, 2})), 1);
+}
+
 TEST(Atlas, text_tells_sides_apart) {
   EXPECT_EQ(boundary_text({{7, 0}, {6, 0}}), "7 -> 6");
   EXPECT_EQ(boundary_text({{0.30000001, 0}, {0.3000001, 0}}), "0.3 -> 0.3000001");
