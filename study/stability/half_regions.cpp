@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "shaders/half.h"
+#include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 
@@ -54,7 +55,10 @@ Region half_power() {
       "r.v near 1 is known to 2^-11 at best, and the power k makes k times as much of it: the "
       "highlight gets bands";
   region.sweep = {"shininess k", 1, 1000, true};
+  region.measured = "largest difference of the highlight from double, of its peak";
   region.limit = 0.05;
+  region.error = peak_error<Half>;
+  region.guarded = peak_error<float>;
   region.shown_holds = 10;
   region.shown_fails = 200;
   return region;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 #include "study/stability/textbook.h"
@@ -197,29 +198,6 @@ Region power_zero_zero() {
   return region;
 }
 
-/// The largest difference of Phong's highlight in float from double, its peak seen from where it is
-/// above 1 %, on some normals.
-double peak_error(double shininess) {
-  constexpr int kNormals = 20, kAngles = 40;
-  double largest = 0;
-  for (int i = 0; i < kNormals; ++i) {
-    const double a = 2.4 * i;
-    const Vec3d n = normalize(Vec3d{std::cos(a), std::sin(a), 0.3 + 0.1 * i});
-    const Vec3d x = normalize(cross(n, Vec3d{0, 0, 1})), l = n * 0.8 + x * 0.6;
-    const Vec3d mirror = n * 0.8 - x * 0.6, across = n * 0.6 + x * 0.8;
-    for (int j = 0; j < kAngles; ++j) {
-      const double angle = std::sqrt(2 * std::log(100) / shininess) * j / kAngles;
-      const Vec3d v = mirror * std::cos(angle) + across * std::sin(angle);
-      const Vec3<float> nf = constant_vec<float>(n), lf = constant_vec<float>(l);
-      const float highlight =
-          phong_highlight<float>({nf, lf, constant_vec<float>(v), dot(nf, lf)}, float(shininess));
-      const double exact = phong_highlight<double>({n, l, v, dot(n, l)}, shininess);
-      largest = std::max(largest, std::abs(highlight - exact));
-    }
-  }
-  return largest;
-}
-
 Region shininess_float() {
   Region region;
   region.name = "shininess-float";
@@ -230,7 +208,7 @@ Region shininess_float() {
   region.sweep = {"shininess k", 1, 1e6, true};
   region.measured = "largest difference of the highlight from double, of its peak";
   region.limit = 1.0 / 255;
-  region.error = peak_error;
+  region.error = peak_error<float>;
   region.sketch = [](double k, int side) {
     const Scene scene = highlight_scene(Model::kPhong, k);
     return shade_each(scene, side, color_in<float>(scene));

@@ -50,7 +50,7 @@ const Sides kSides[] = {
     {"tiny-coordinates-float", 1e-21, 4e-22},
     {"offset-float", 6e4, 1.1e5},
     {"spot-edge-float", 0.02, 0.004},
-    {"half-power", 55, 90},
+    {"half-power", 45, 50},
     // Squares of half end at 65520, lengths of some 5.9 at 256 / 5.9.
     {"half-normalize-far", 42, 45},
     {"half-normalize-near", 1.2e-3, 8e-4},
@@ -117,6 +117,12 @@ TEST_P(Regions, method_holds_on_one_side_and_fails_on_the_other) {
   const double good = region().error(GetParam().holds), bad = region().error(GetParam().fails);
   EXPECT_TRUE(holds(region(), good)) << good;
   EXPECT_FALSE(holds(region(), bad)) << bad;
+}
+
+TEST_P(Regions, pictures_are_of_both_sides) {
+  const Region& r = region();
+  EXPECT_TRUE(holds(r, r.error(r.shown_holds.value_or(r.sweep.from))));
+  EXPECT_FALSE(holds(r, r.error(r.shown_fails.value_or(r.sweep.to))));
 }
 
 TEST_P(Regions, remedy_holds_on_both_sides) {
