@@ -222,6 +222,7 @@ Region unnormalised_normal() {
       "between vertices the normal is shorter than one, and R = 2 (n.L) n - L is no mirror "
       "direction: highlights move and dim between vertices";
   region.remedy = "renormalise in every pixel (material.normal \"unit\")";
+  region.shown_fails = 5;
   return region;
 }
 

@@ -34,13 +34,14 @@ double highlight_beyond(Model model, double shininess, double degrees) {
   return specular_term<double>(model, {n, l, v, dot(n, l)}, {.shininess = shininess});
 }
 
-/// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, over steps
-/// of half a degree.
+/// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, before it,
+/// on it and beyond, over steps of half a degree.
 double jump(Model model, double shininess) {
   constexpr double kStep = 0.5;
   const auto f = [&](int steps) { return highlight_beyond(model, shininess, kStep * steps); };
-  const double inside = f(-2) - 2 * f(-1) + f(0), outside = f(0) - 2 * f(1) + f(2);
-  return std::abs(inside - outside) / std::pow(kStep * kDegree, 2);
+  const auto [least, most] =
+      std::minmax({f(-2) - 2 * f(-1) + f(0), f(-1) - 2 * f(0) + f(1), f(0) - 2 * f(1) + f(2)});
+  return (most - least) / std::pow(kStep * kDegree, 2);
 }
 
 Region phong_cutoff() {
