@@ -118,10 +118,15 @@ std::string energy_line(const Energy& e) {
 }  // namespace
 
 std::string boundary_text(const Boundary& b) {
+  const bool rising = b.fails.x > b.holds.x;
+  const double apart = std::abs(b.fails.x - b.holds.x);
   for (int digits = 3; digits < 17; ++digits) {
-    const std::string holds = fmt::format("{:.{}g}", b.holds.x, digits);
-    const std::string fails = fmt::format("{:.{}g}", b.fails.x, digits);
-    if (holds != fails) return holds + " -> " + fails;
+    const std::string holds = rounded(b.holds.x, digits, !rising);
+    const std::string fails = rounded(b.fails.x, digits, rising);
+    const auto is_near = [&](const std::string& text, double x) {
+      return std::abs(std::strtod(text.c_str(), nullptr) - x) <= apart;
+    };
+    if (is_near(holds, b.holds.x) && is_near(fails, b.fails.x)) return holds + " -> " + fails;
   }
   return fmt::format("{} -> {}", b.holds.x, b.fails.x);
 }

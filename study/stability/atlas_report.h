@@ -33,7 +33,8 @@ std::string atlas_html(const Atlas& atlas);
 /// their stretches; empty where none does.
 std::string again_text(const Entry& entry);
 
-/// "0.38 -> 0.37", the boundary from holding to failing in as many digits as tell its sides apart.
+/// "0.38 -> 0.37", the boundary from holding to failing: each side rounded away from the other, in
+/// as many digits as keep it within what lies between them.
 std::string boundary_text(const Boundary& boundary);
 
 }  // namespace lumaknot

@@ -122,6 +122,16 @@ TEST(Atlas, shades_what_was_measured_to_fail) {
 TEST(Atlas, text_tells_sides_apart) {
   EXPECT_EQ(boundary_text({{7, 0}, {6, 0}}), "7 -> 6");
   EXPECT_EQ(boundary_text({{0.30000001, 0}, {0.3000001, 0}}), "0.3 -> 0.3000001");
+  EXPECT_EQ(boundary_text({{32767, 0}, {32768, 0}}), "32767 -> 32768");
+  EXPECT_EQ(boundary_text({{0, 0}, {1, 0}}), "0 -> 1");
+}
+
+TEST(Atlas, rounds_each_side_away_from_the_other) {
+  EXPECT_EQ(boundary_text({{0.8065002, 0}, {0.8064995, 0}}), "0.8065002 -> 0.8064995");
+  EXPECT_EQ(boundary_text({{0.80650021, 0}, {0.80649951, 0}}), "0.8065003 -> 0.8064995");
+  EXPECT_EQ(boundary_text({{0.005999755859, 0}, {0.006000518799, 0}}), "0.005999 -> 0.006001");
+  EXPECT_EQ(boundary_text({{9.99996, 0}, {9.99986, 0}}), "10 -> 9.9998");
+  EXPECT_EQ(boundary_text({{7.0073e-46, 0}, {7.0062e-46, 0}}), "7.008e-46 -> 7.006e-46");
 }
 
 TEST(Atlas, survives_json_with_its_pictures) {
