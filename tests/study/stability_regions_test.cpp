@@ -43,7 +43,7 @@ const Sides kSides[] = {
     {"unnormalised-normal", 8, 5},
     {"light-at-vertices", 32, 25},
     {"texture-seam", 52, 40},
-    // 2^24 / 512: beyond, neighbours are a texel apart.
+    // 2^24 / 512: from there on neighbours are two texels apart, and half of it is above 1/2.
     {"scrolled-texture-float", 32767, 32768},
     // Lengths of some 5.9.
     {"huge-coordinates-float", kWhatFloatSquares / 6.1, kWhatFloatSquares / 5.4},
