@@ -162,6 +162,7 @@ std::string atlas_text(const Atlas& atlas) {
 
 std::string atlas_json(const Atlas& atlas) {
   Json json;
+  json["version"] = LUMAKNOT_VERSION;
   json["regions"] = Json::array();
   for (const Entry& e : atlas.entries) json["regions"].push_back(entry_json(e));
   json["energies"] = energies_json(atlas.energies);
@@ -171,6 +172,12 @@ std::string atlas_json(const Atlas& atlas) {
 Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
                  std::string_view label) try {
   const Json json = Json::parse(text);
+  const std::string version = json.at("version");
+  if (version != LUMAKNOT_VERSION) {
+    throw Error(
+        fmt::format("{} is by lumaknot {} and this is {}; remove it, or give another folder", label,
+                    version, LUMAKNOT_VERSION));
+  }
   Atlas atlas;
   for (const Json& region : json.at("regions")) {
     atlas.entries.push_back(entry_of(region, folder));
@@ -183,7 +190,7 @@ Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
   return atlas;
 } catch (const nlohmann::json::exception& e) {
   throw Error(
-      fmt::format("{} is no atlas ({}); remove it, or leave out --resume", label, e.what()));
+      fmt::format("{} is no atlas ({}); remove it, or give another folder", label, e.what()));
 }
 
 }  // namespace lumaknot

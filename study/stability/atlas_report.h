@@ -18,11 +18,12 @@ struct Atlas {
 /// A table for a terminal: a line for each region, then the energies.
 std::string atlas_text(const Atlas& atlas);
 
-/// JSON, two spaces deep, ending in a newline. What is no number is null.
+/// JSON with the program's version, two spaces deep, ending in a newline. What is no number is
+/// null.
 std::string atlas_json(const Atlas& atlas);
 
 /// The atlas that atlas_json() told, its pictures read from `folder`/NAME/. Throws Error calling
-/// the text `label` when it is none.
+/// the text `label` when it is none, or one of another version of the program.
 Atlas read_atlas(std::string_view json, const std::filesystem::path& folder,
                  std::string_view label);
 

@@ -170,6 +170,8 @@ TEST(Atlas, tells_the_remedys_worst_where_it_is_measured) {
 TEST(Atlas, refuses_what_is_none) {
   EXPECT_THROW(read_atlas("{}", ".", "a"), Error);
   EXPECT_THROW(read_atlas("x", ".", "a"), Error);
+  const std::string other = R"({"version": "0.0.1", "regions": [], "energies": []})";
+  EXPECT_THROW(read_atlas(other, ".", "a"), Error);
 }
 
 TEST(Atlas, shows_what_is_no_number_in_magenta) {
