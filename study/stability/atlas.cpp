@@ -36,15 +36,17 @@ double worst(const std::vector<Measured>& all) {
 void add_pictures(const Region& region, const AtlasOptions& options, Entry& entry) {
   const double holding = region.shown_holds.value_or(region.sweep.from);
   const double failing = region.shown_fails.value_or(region.sweep.to);
-  const auto add = [&](const Sketch& sketch, double x, const char* name, const char* caption) {
+  const auto value = [](double x) { return fmt::format("{:.4g}", x); };
+  const auto add = [&](const Sketch& sketch, double x, const char* name, std::string caption) {
     if (!sketch) return;
-    entry.pictures.push_back({fmt::format("{}, {:.4g}", caption, x), fmt::format("{}.png", name),
-                              sketch_png(sketch(x, options.side))});
+    entry.pictures.push_back(
+        {std::move(caption), fmt::format("{}.png", name), sketch_png(sketch(x, options.side))});
   };
-  entry.pictures.push_back({"chart", "chart.svg", sweep_chart(region, entry)});
-  add(region.sketch, holding, "holds", "holds");
-  add(region.sketch, failing, "fails", "fails");
-  add(region.guarded_sketch, failing, "remedy", "the remedy");
+  entry.pictures.push_back({"", "chart.svg", sweep_chart(region, entry)});
+  add(region.sketch, holding, "holds", "holds, " + value(holding));
+  add(region.sketch, failing, "fails", "fails, " + value(failing));
+  add(region.guarded_sketch, failing, "remedy",
+      "the remedy, " + (region.guarded_shows ? region.guarded_shows(failing) : value(failing)));
   for (const Quantity& quantity : region.also) {
     entry.also.push_back({quantity.name, quantity.measure(holding), quantity.measure(failing)});
   }

@@ -11,8 +11,8 @@ namespace lumaknot {
 
 /// A region's picture at one value.
 struct Picture {
-  std::string caption;
-  std::string file;  ///< its name in the region's folder
+  std::string caption;  ///< empty for the chart, which says itself what it shows
+  std::string file;     ///< its name in the region's folder
   std::string png;
 };
 

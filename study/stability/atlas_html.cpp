@@ -16,7 +16,8 @@ using Data = mustache::data;
 
 Data picture_data(const Picture& picture) {
   Data data;
-  data.set("caption", picture.caption);
+  if (!picture.caption.empty()) data.set("caption", picture.caption);
+  data.set("shows", picture.caption.empty() ? "chart" : picture.caption);
   data.set("type", picture.file.ends_with(".svg") ? "svg+xml" : "png");
   data.set("class", picture.file.substr(0, picture.file.find('.')));
   data.set("bytes", base64(picture.png));
@@ -80,7 +81,7 @@ Data energies_data(const std::vector<Energy>& energies) {
     Data row;
     row.set("term", e.term);
     row.set("most", fmt::format("{:.4g}", e.most));
-    row.set("at", fmt::format("{:.0f}", e.at_degrees));
+    row.set("at", e.at_degrees < 0 ? "every" : fmt::format("{:.0f}°", e.at_degrees));
     row.set("above",
             e.above_degrees < 0 ? "never" : fmt::format("from {:.0f}° on", e.above_degrees));
     row.set("class", e.above_degrees < 0 ? "holds" : "fails");

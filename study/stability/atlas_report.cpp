@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -87,13 +88,20 @@ Entry entry_of(const Json& json, const std::filesystem::path& folder) {
   return e;
 }
 
+bool has_pictures(const Json& region, const std::filesystem::path& folder) {
+  const std::string name = region.at("name");
+  return std::ranges::all_of(region.at("pictures"), [&](const Json& picture) {
+    return std::filesystem::exists(folder / name / std::string(picture.at("file")));
+  });
+}
+
 Json energies_json(const std::vector<Energy>& energies) {
   Json list = Json::array();
   for (const Energy& e : energies) {
     list.push_back(
         {{"term", e.term},
          {"most", e.most},
-         {"at_degrees", e.at_degrees},
+         {"at_degrees", e.at_degrees < 0 ? Json(nullptr) : Json(e.at_degrees)},
          {"above_degrees", e.above_degrees < 0 ? Json(nullptr) : Json(e.above_degrees)}});
   }
   return list;
@@ -109,7 +117,9 @@ std::string rounded(double x, int digits, bool up) {
 }
 
 std::string energy_line(const Energy& e) {
-  return fmt::format("{:<38} {:>9.4g} at {:2.0f} degrees  {}\n", e.term, e.most, e.at_degrees,
+  const std::string at =
+      e.at_degrees < 0 ? "at every angle" : fmt::format("at {:2.0f} degrees", e.at_degrees);
+  return fmt::format("{:<38} {:>9.4g} {:<14}  {}\n", e.term, e.most, at,
                      e.above_degrees < 0
                          ? "never above 1"
                          : fmt::format("above 1 from {} degrees on", e.above_degrees));
@@ -180,12 +190,14 @@ Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
   }
   Atlas atlas;
   for (const Json& region : json.at("regions")) {
-    atlas.entries.push_back(entry_of(region, folder));
+    if (has_pictures(region, folder)) atlas.entries.push_back(entry_of(region, folder));
   }
   for (const Json& e : json.at("energies")) {
-    const Json& above = e.at("above_degrees");
-    atlas.energies.push_back({e.at("term"), e.at("most"), e.at("at_degrees"),
-                              above.is_null() ? -1 : above.get<double>()});
+    const auto angle = [&](const char* key) {
+      return e.at(key).is_null() ? -1 : e.at(key).get<double>();
+    };
+    atlas.energies.push_back(
+        {e.at("term"), e.at("most"), angle("at_degrees"), angle("above_degrees")});
   }
   return atlas;
 } catch (const nlohmann::json::exception& e) {

@@ -22,7 +22,8 @@ std::string atlas_text(const Atlas& atlas);
 /// null.
 std::string atlas_json(const Atlas& atlas);
 
-/// The atlas that atlas_json() told, its pictures read from `folder`/NAME/. Throws Error calling
+/// The atlas that atlas_json() told, its pictures read from `folder`/NAME/; a region that
+/// lacks one is left out. Throws Error calling
 /// the text `label` when it is none, or one of another version of the program.
 Atlas read_atlas(std::string_view json, const std::filesystem::path& folder,
                  std::string_view label);

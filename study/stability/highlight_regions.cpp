@@ -1,4 +1,6 @@
 // Highlights.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 
@@ -140,16 +142,16 @@ Region shininess_zero() {
   region.measured = "share of pixels with a highlight above 1/2";
   region.limit = 0.5;
   region.error = [](double k) { return washed(highlight_scene(Model::kPhong, k)); };
-  region.guarded = [](double k) {  // as wide: alpha^2 = 2 / (k + 2)
+  const auto cook_torrance = [](double k) {  // as wide: alpha^2 = 2 / (k + 2)
     Scene scene = highlight_scene(Model::kCookTorrance, k);
     scene.view.material.roughness = std::pow(2 / (k + 2), 0.25);
-    return washed(scene);
+    return scene;
   };
+  region.guarded = [=](double k) { return washed(cook_torrance(k)); };
   region.sketch = [](double k, int side) { return draw(highlight_scene(Model::kPhong, k), side); };
-  region.guarded_sketch = [](double k, int side) {
-    Scene scene = highlight_scene(Model::kCookTorrance, k);
-    scene.view.material.roughness = std::pow(2 / (k + 2), 0.25);
-    return draw(scene, side);
+  region.guarded_sketch = [=](double k, int side) { return draw(cook_torrance(k), side); };
+  region.guarded_shows = [=](double k) {
+    return fmt::format("roughness {:.3g}", cook_torrance(k).view.material.roughness);
   };
   return region;
 }
@@ -252,6 +254,7 @@ Region shininess_sampling() {
     scene.view.image.samples = 8;
     return draw(scene, side);
   };
+  region.guarded_shows = [](double k) { return fmt::format("{}, 8 x 8 samples", k); };
   region.shown_fails = 3000;
   region.shown_holds = 10;
   return region;

@@ -40,8 +40,10 @@ struct Region {
   Measure error;
   Measure
       guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
-  std::vector<Quantity> also;                      ///< told at the values that are shown
-  Sketch sketch, guarded_sketch;                   ///< or nothing
+  std::vector<Quantity> also;     ///< told at the values that are shown
+  Sketch sketch, guarded_sketch;  ///< or nothing
+  std::function<std::string(double x)>
+      guarded_shows;  ///< what guarded_sketch draws where that is not the method's value
   std::optional<double> shown_holds, shown_fails;  ///< where sketches are drawn; else the ends
 };
 

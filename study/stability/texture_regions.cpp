@@ -101,6 +101,7 @@ Region scrolled_texture() {
   region.guarded_sketch = [](double tiles, int side) {
     return draw_scrolled(tiles - std::floor(tiles), side);
   };
+  region.guarded_shows = [](double) { return "no whole tile"; };
   region.shown_fails = 1 << 19;
   region.shown_holds = 1;
   return region;

@@ -13,6 +13,7 @@
 namespace lumaknot {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -154,7 +155,24 @@ TEST(Atlas, survives_json_with_its_pictures) {
   EXPECT_EQ(atlas_json(read_atlas(json, folder.path(), "a")), json);
   EXPECT_EQ(atlas_html(read_atlas(json, folder.path(), "a")), atlas_html(atlas));
   EXPECT_TRUE(nlohmann::json::parse(json)["regions"][0]["fails"][1].is_null());
+  std::filesystem::remove(folder.path() / "step" / "fails.png");
+  EXPECT_TRUE(read_atlas(json, folder.path(), "a").entries.empty());
   EXPECT_THAT(atlas_html(atlas), HasSubstr("a &lt;step&gt;"));
+}
+
+TEST(Atlas, captions_tell_what_is_drawn) {
+  Region region = step_at(0.3, {"x", 0, 2});
+  region.sketch = region.guarded_sketch = [](double, int side) { return Image(side, side); };
+  const auto captions = [&] {
+    std::vector<std::string> all;
+    for (const Picture& p : examine(region, {.side = 1}, [](double) {}).pictures) {
+      all.push_back(p.caption);
+    }
+    return all;
+  };
+  EXPECT_THAT(captions(), ElementsAre("", "holds, 0", "fails, 2", "the remedy, 2"));
+  region.guarded_shows = [](double x) { return std::to_string(int(x) + 1) + " steps"; };
+  EXPECT_EQ(captions().back(), "the remedy, 3 steps");
 }
 
 TEST(Atlas, tells_the_remedys_worst_where_it_is_measured) {
@@ -189,6 +207,22 @@ TEST(Energy, of_lambert_is_all_and_of_minnaert_what_its_integral_says) {
   EXPECT_NEAR(reflected_share(minnaert(1), 1.2), 1, 1e-9);
   EXPECT_NEAR(reflected_share(minnaert(0.5), 0), 2 / 1.5, 5e-3);  // infinite at the horizon
   EXPECT_NEAR(reflected_share(minnaert(3), 0.5), std::pow(std::cos(0.5), 2) * 2 / 4, 1e-4);
+}
+
+TEST(Energy, has_no_angle_where_all_are_alike) {
+  const auto minnaert = [](double k) {
+    return [k](const Directions<double>& d) { return minnaert_diffuse(d, k); };
+  };
+  const std::vector<Energy> all{energy_of("Lambert", minnaert(1)),
+                                energy_of("Minnaert", minnaert(2))};
+  EXPECT_LT(all[0].at_degrees, 0);
+  EXPECT_EQ(all[1].at_degrees, 0);
+  const Atlas atlas{{}, all};
+  EXPECT_THAT(atlas_text(atlas), HasSubstr("1 at every angle  never above 1"));
+  EXPECT_THAT(atlas_html(atlas), HasSubstr("<td class=\"number\">every</td>"));
+  const std::string json = atlas_json(atlas);
+  EXPECT_TRUE(nlohmann::json::parse(json)["energies"][0]["at_degrees"].is_null());
+  EXPECT_EQ(atlas_json(read_atlas(json, ".", "a")), json);
 }
 
 TEST(Energy, of_phong_head_on_is_two_by_k_plus_two) {
