@@ -22,7 +22,7 @@ void tell(std::string message) {
 int run_program(int argc, char** argv) {
   CLI::App program{"Torus-knot test meshes, luma lighting, and proof that renderers agree."};
   program.name("lumaknot");
-  program.set_version_flag("--version", "lumaknot 0.1.0");
+  program.set_version_flag("--version", "lumaknot " LUMAKNOT_VERSION);
   program.require_subcommand(0, 1);  // none is told below, an unknown one as such
   program.footer(
       "Examples:\n"

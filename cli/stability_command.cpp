@@ -51,30 +51,50 @@ void write_pictures(const Entry& entry, const fs::path& folder) {
   }
 }
 
-/// What an earlier run left in the folder, when it is to go on.
-Atlas begun(const StabilityFlags& flags) {
+/// What the folder holds. What can't be read, or is by another version, is an error, unless all of
+/// it is measured anew.
+Atlas kept(const StabilityFlags& flags) {
   const fs::path file = fs::path(flags.output) / "atlas.json";
-  if (!flags.resume || !fs::exists(file)) return {};
-  return read_atlas(read_file(file, "--output"), flags.output, file.string());
+  if (flags.output.empty() || !fs::exists(file)) return {};
+  const bool all_anew = flags.regions.empty() && !flags.resume;
+  try {
+    return read_atlas(read_file(file, "--output"), flags.output, file.string());
+  } catch (const Error&) {
+    if (!all_anew) throw;
+    return {};
+  }
 }
 
 bool has(const Atlas& atlas, const Region& region) {
   return std::ranges::find(atlas.entries, region.name, &Entry::name) != atlas.entries.end();
 }
 
-/// Examines what `atlas` lacks of `regions`; pictures are written one region after the other.
+/// Puts `entry` in the place of an older one of its name, or last.
+void put(Atlas& atlas, Entry entry) {
+  const auto old = std::ranges::find(atlas.entries, entry.name, &Entry::name);
+  if (old == atlas.entries.end()) {
+    atlas.entries.push_back(std::move(entry));
+  } else {
+    *old = std::move(entry);
+  }
+}
+
+/// Examines `regions`, or with --resume what `atlas` lacks of them; pictures are written one region
+/// after the other.
 void examine_all(const std::vector<Region>& regions, const StabilityFlags& flags, Atlas& atlas) {
   const std::function<void(double)> bar = progress_bar(flags.out, "stability");
   const bool draws = !flags.output.empty();
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    if (has(atlas, regions[i])) continue;
-    atlas.entries.push_back(examine(regions[i], {.pictures = draws}, [&](double share) {
+    if (flags.resume && has(atlas, regions[i])) continue;
+    Entry entry = examine(regions[i], {.pictures = draws}, [&](double share) {
       check_interrupted();
       if (bar) bar((double(i) + share) / double(regions.size()));
-    }));
-    if (draws) write_pictures(atlas.entries.back(), flags.output);
+    });
+    if (draws) write_pictures(entry, flags.output);
+    put(atlas, std::move(entry));
   }
-  if (flags.regions.empty() && atlas.energies.empty()) atlas.energies = energies();
+  const bool told = flags.resume && !atlas.energies.empty();
+  if (flags.regions.empty() && !told) atlas.energies = energies();
   if (bar) bar(1);
 }
 
@@ -102,16 +122,18 @@ void run(const StabilityFlags& flags) {
     }
     check_writable(fs::path(flags.output) / "index.html", "--output");
   }
-  Atlas atlas = begun(flags);
+  Atlas atlas = kept(flags);
   try {
     examine_all(regions, flags, atlas);
   } catch (const Interrupted&) {
     sort_entries(atlas);
     if (flags.output.empty()) throw;
     write_pages(atlas, flags.output);
+    const auto there =
+        std::ranges::count_if(regions, [&](const Region& r) { return has(atlas, r); });
     fmt::print(stderr,
                "\nlumaknot: {} of {} regions are in {}; the same command with --resume goes on\n",
-               atlas.entries.size(), regions.size(), flags.output);
+               there, regions.size(), flags.output);
     throw;
   }
   sort_entries(atlas);
@@ -119,7 +141,8 @@ void run(const StabilityFlags& flags) {
   if (flags.out.json) fmt::print("{}", atlas_json(atlas));
   flags.out.say(atlas_text(atlas));
   if (flags.output.empty()) return;
-  flags.out.say(fmt::format("{} regions; see {}", atlas.entries.size(),
+  const std::size_t count = atlas.entries.size();
+  flags.out.say(fmt::format("{} region{}; see {}", count, count == 1 ? "" : "s",
                             (fs::path(flags.output) / "index.html").string()));
 }
 
@@ -133,16 +156,17 @@ void add_stability_command(CLI::App& program) {
   command->add_option(
       "-o,--output", flags->output,
       "a folder for index.html, atlas.json and a folder of pictures for each region "
-      "(needs gnuplot); unless given, the boundaries alone");
+      "(needs gnuplot), joined to what the folder holds; unless given, the boundaries alone");
   command->add_flag("--list", flags->list, "only name the regions");
   command->add_flag("--resume", flags->resume,
-                    "leave out what --output holds from a run that was stopped");
+                    "leave out what --output holds already, as from a run that was stopped");
   add_output_flags(*command, flags->out);
   command->footer(
       "Examples:\n"
       "  lumaknot stability -o atlas/\n"
       "  lumaknot stability --list\n"
       "  lumaknot stability frenet-inflection phong-cutoff\n"
+      "  lumaknot stability frenet-inflection -o atlas/   anew, the others stay\n"
       "  lumaknot stability -o atlas/ --resume");
   command->callback([flags] {
     const InterruptGuard guard;

@@ -36,21 +36,29 @@ double worst(const std::vector<Measured>& all) {
 void add_pictures(const Region& region, const AtlasOptions& options, Entry& entry) {
   const double holding = region.shown_holds.value_or(region.sweep.from);
   const double failing = region.shown_fails.value_or(region.sweep.to);
-  const auto add = [&](const Sketch& sketch, double x, const char* name, const char* caption) {
+  const auto value = [](double x) { return fmt::format("{:.4g}", x); };
+  const auto add = [&](const Sketch& sketch, double x, const char* name, std::string caption) {
     if (!sketch) return;
-    entry.pictures.push_back({fmt::format("{}, {:.4g}", caption, x), fmt::format("{}.png", name),
-                              sketch_png(sketch(x, options.side))});
+    entry.pictures.push_back(
+        {std::move(caption), fmt::format("{}.png", name), sketch_png(sketch(x, options.side))});
   };
-  entry.pictures.push_back({"chart", "chart.svg", sweep_chart(region, entry)});
-  add(region.sketch, holding, "holds", "holds");
-  add(region.sketch, failing, "fails", "fails");
-  add(region.guarded_sketch, failing, "remedy", "the remedy");
+  entry.pictures.push_back({"", "chart.svg", sweep_chart(region, entry)});
+  add(region.sketch, holding, "holds", "holds, " + value(holding));
+  add(region.sketch, failing, "fails", "fails, " + value(failing));
+  add(region.guarded_sketch, failing, "remedy",
+      "the remedy, " + (region.guarded_shows ? region.guarded_shows(failing) : value(failing)));
   for (const Quantity& quantity : region.also) {
     entry.also.push_back({quantity.name, quantity.measure(holding), quantity.measure(failing)});
   }
 }
 
 }  // namespace
+
+std::vector<Stretch> holding_again(const Entry& entry) {
+  std::vector<Stretch> all = stretches(entry.sweep, entry.limit, true);
+  if (!all.empty()) all.erase(all.begin());  // a sweep begins where the method holds
+  return all;
+}
 
 Entry examine(const Region& region, const AtlasOptions& options,
               const std::function<void(double)>& tick) {
@@ -113,6 +121,20 @@ std::string data_block(const char* name, const std::vector<Measured>& all, bool 
   return text + "EOD\n";
 }
 
+/// A shade on each stretch that fails. They have borders, so that a lone value is a line.
+std::string shades(const Entry& entry) {
+  std::string text;
+  std::vector<Stretch> failing = stretches(entry.sweep, entry.limit, false);
+  if (!failing.empty()) failing.front().from = entry.boundary.fails.x;
+  for (const Stretch& s : failing) {
+    text += fmt::format(
+        "set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fillcolor rgb "
+        "'#fbe3df' fillstyle solid border linecolor rgb '#fbe3df'\n",
+        s.from, s.to);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string sweep_chart(const Region& region, const Entry& entry) {
@@ -126,7 +148,6 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
   }
   const bool logarithmic = spans_decades(least, most);
   least = std::max({least, most * 1e-12, entry.limit * 1e-6});
-  const Boundary& b = entry.boundary;
   std::string script = data_block("method", entry.sweep, logarithmic) +
                        data_block("remedy", entry.guarded, logarithmic);
   script += fmt::format(
@@ -138,10 +159,7 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
   script += fmt::format("set xrange [{:.9g}:{:.9g}]\n", from, to);
   script += logarithmic ? fmt::format("set yrange [{:.3g}:{:.3g}]\n", least / 2, most * 3)
                         : fmt::format("set yrange [{}:{:.6g}]\n", "0", most * 1.15);
-  script += fmt::format(
-      "set object 1 rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fillcolor rgb "
-      "'#fbe3df' fillstyle solid noborder\n",
-      b.fails.x, to);
+  script += shades(entry);
   script += fmt::format(
       "plot {:.9g} with lines linecolor rgb '#888888' dashtype 2 title 'limit', $method with "
       "linespoints linecolor rgb '#c0392b' pointtype 7 pointsize 0.4 title 'method'{}",

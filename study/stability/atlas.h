@@ -11,8 +11,8 @@ namespace lumaknot {
 
 /// A region's picture at one value.
 struct Picture {
-  std::string caption;
-  std::string file;  ///< its name in the region's folder
+  std::string caption;  ///< empty for the chart, which says itself what it shows
+  std::string file;     ///< its name in the region's folder
   std::string png;
 };
 
@@ -39,6 +39,9 @@ struct AtlasOptions {
   int side = 200;        ///< of a sketch, pixels
 };
 
+/// Where swept values beyond the boundary hold again.
+std::vector<Stretch> holding_again(const Entry& entry);
+
 /// Sweeps the region, finds its boundary and draws it. `tick` is called at each value with the
 /// finished share in [0, 1]; what it throws ends the work.
 Entry examine(const Region& region, const AtlasOptions& options,
@@ -47,7 +50,8 @@ Entry examine(const Region& region, const AtlasOptions& options,
 /// `image` as PNG for the eye: pixels that are no numbers in magenta.
 std::string sketch_png(const Image& image);
 
-/// The chart of a region's sweep as SVG: error against parameter, the limit, the boundary.
+/// The chart of a region's sweep as SVG: error against parameter, the limit, and shaded the
+/// stretches that were measured to fail, the first of them from the boundary on.
 std::string sweep_chart(const Region& region, const Entry& entry);
 
 }  // namespace lumaknot

@@ -16,7 +16,8 @@ using Data = mustache::data;
 
 Data picture_data(const Picture& picture) {
   Data data;
-  data.set("caption", picture.caption);
+  if (!picture.caption.empty()) data.set("caption", picture.caption);
+  data.set("shows", picture.caption.empty() ? "chart" : picture.caption);
   data.set("type", picture.file.ends_with(".svg") ? "svg+xml" : "png");
   data.set("class", picture.file.substr(0, picture.file.find('.')));
   data.set("bytes", base64(picture.png));
@@ -45,6 +46,7 @@ Data entry_data(const Entry& e) {
   data.set("measured", e.measured);
   data.set("limit", fmt::format("{:.4g}", e.limit));
   data.set("boundary", boundary_text(e.boundary));
+  if (const std::string again = again_text(e); !again.empty()) data.set("again", again);
   data.set("holds", fmt::format("{:.4g}", e.boundary.holds.error));
   data.set("fails", fmt::format("{:.4g}", e.boundary.fails.error));
   if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));
@@ -79,7 +81,7 @@ Data energies_data(const std::vector<Energy>& energies) {
     Data row;
     row.set("term", e.term);
     row.set("most", fmt::format("{:.4g}", e.most));
-    row.set("at", fmt::format("{:.0f}", e.at_degrees));
+    row.set("at", e.at_degrees < 0 ? "every" : fmt::format("{:.0f}°", e.at_degrees));
     row.set("above",
             e.above_degrees < 0 ? "never" : fmt::format("from {:.0f}° on", e.above_degrees));
     row.set("class", e.above_degrees < 0 ? "holds" : "fails");

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +53,8 @@ Json entry_json(const Entry& e) {
   json["limit"] = e.limit;
   json["holds"] = pair(e.boundary.holds);
   json["fails"] = pair(e.boundary.fails);
+  json["holds_again"] = Json::array();
+  for (const Stretch& s : holding_again(e)) json["holds_again"].push_back({s.from, s.to});
   json["remedy_worst"] = number(e.guarded_worst);
   json["sweep"] = pairs(e.sweep);
   json["remedy_sweep"] = pairs(e.guarded);
@@ -84,20 +88,38 @@ Entry entry_of(const Json& json, const std::filesystem::path& folder) {
   return e;
 }
 
+bool has_pictures(const Json& region, const std::filesystem::path& folder) {
+  const std::string name = region.at("name");
+  return std::ranges::all_of(region.at("pictures"), [&](const Json& picture) {
+    return std::filesystem::exists(folder / name / std::string(picture.at("file")));
+  });
+}
+
 Json energies_json(const std::vector<Energy>& energies) {
   Json list = Json::array();
   for (const Energy& e : energies) {
     list.push_back(
         {{"term", e.term},
          {"most", e.most},
-         {"at_degrees", e.at_degrees},
+         {"at_degrees", e.at_degrees < 0 ? Json(nullptr) : Json(e.at_degrees)},
          {"above_degrees", e.above_degrees < 0 ? Json(nullptr) : Json(e.above_degrees)}});
   }
   return list;
 }
 
+/// `x` in so many digits, rounded up or down.
+std::string rounded(double x, int digits, bool up) {
+  const std::string nearest = fmt::format("{:.{}g}", x, digits);
+  const double value = std::strtod(nearest.c_str(), nullptr);
+  if (up ? value >= x : value <= x) return nearest;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+  return fmt::format("{:.{}g}", up ? value + step : value - step, digits);
+}
+
 std::string energy_line(const Energy& e) {
-  return fmt::format("{:<38} {:>9.4g} at {:2.0f} degrees  {}\n", e.term, e.most, e.at_degrees,
+  const std::string at =
+      e.at_degrees < 0 ? "at every angle" : fmt::format("at {:2.0f} degrees", e.at_degrees);
+  return fmt::format("{:<38} {:>9.4g} {:<14}  {}\n", e.term, e.most, at,
                      e.above_degrees < 0
                          ? "never above 1"
                          : fmt::format("above 1 from {} degrees on", e.above_degrees));
@@ -106,12 +128,30 @@ std::string energy_line(const Energy& e) {
 }  // namespace
 
 std::string boundary_text(const Boundary& b) {
+  const bool rising = b.fails.x > b.holds.x;
+  const double apart = std::abs(b.fails.x - b.holds.x);
   for (int digits = 3; digits < 17; ++digits) {
-    const std::string holds = fmt::format("{:.{}g}", b.holds.x, digits);
-    const std::string fails = fmt::format("{:.{}g}", b.fails.x, digits);
-    if (holds != fails) return holds + " -> " + fails;
+    const std::string holds = rounded(b.holds.x, digits, !rising);
+    const std::string fails = rounded(b.fails.x, digits, rising);
+    const auto is_near = [&](const std::string& text, double x) {
+      return std::abs(std::strtod(text.c_str(), nullptr) - x) <= apart;
+    };
+    if (is_near(holds, b.holds.x) && is_near(fails, b.fails.x)) return holds + " -> " + fails;
   }
   return fmt::format("{} -> {}", b.holds.x, b.fails.x);
+}
+
+std::string again_text(const Entry& entry) {
+  constexpr int kDigits = 4;
+  std::string text;
+  for (const Stretch& s : holding_again(entry)) {
+    text += text.empty() ? "holds again " : " and ";
+    const bool rising = s.to > s.from;
+    text += s.from == s.to ? fmt::format("at {:.{}g}", s.from, kDigits)
+                           : fmt::format("from {} to {}", rounded(s.from, kDigits, rising),
+                                         rounded(s.to, kDigits, !rising));
+  }
+  return text;
 }
 
 std::string atlas_text(const Atlas& atlas) {
@@ -120,7 +160,9 @@ std::string atlas_text(const Atlas& atlas) {
   for (const Entry& e : atlas.entries) {
     if (e.group != group) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", e.group);
     group = e.group;
-    text += fmt::format("  {:<25} {:<27} {}\n", e.name, boundary_text(e.boundary), e.parameter);
+    const std::string again = again_text(e);
+    text += fmt::format("  {:<25} {:<27} {}{}{}\n", e.name, boundary_text(e.boundary), e.parameter,
+                        again.empty() ? "" : "; ", again);
   }
   if (atlas.energies.empty()) return text;
   text += "\nEnergy: the most that comes back of the light that arrives\n";
@@ -130,6 +172,7 @@ std::string atlas_text(const Atlas& atlas) {
 
 std::string atlas_json(const Atlas& atlas) {
   Json json;
+  json["version"] = LUMAKNOT_VERSION;
   json["regions"] = Json::array();
   for (const Entry& e : atlas.entries) json["regions"].push_back(entry_json(e));
   json["energies"] = energies_json(atlas.energies);
@@ -139,19 +182,27 @@ std::string atlas_json(const Atlas& atlas) {
 Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
                  std::string_view label) try {
   const Json json = Json::parse(text);
+  const std::string version = json.at("version");
+  if (version != LUMAKNOT_VERSION) {
+    throw Error(
+        fmt::format("{} is by lumaknot {} and this is {}; remove it, or give another folder", label,
+                    version, LUMAKNOT_VERSION));
+  }
   Atlas atlas;
   for (const Json& region : json.at("regions")) {
-    atlas.entries.push_back(entry_of(region, folder));
+    if (has_pictures(region, folder)) atlas.entries.push_back(entry_of(region, folder));
   }
   for (const Json& e : json.at("energies")) {
-    const Json& above = e.at("above_degrees");
-    atlas.energies.push_back({e.at("term"), e.at("most"), e.at("at_degrees"),
-                              above.is_null() ? -1 : above.get<double>()});
+    const auto angle = [&](const char* key) {
+      return e.at(key).is_null() ? -1 : e.at(key).get<double>();
+    };
+    atlas.energies.push_back(
+        {e.at("term"), e.at("most"), angle("at_degrees"), angle("above_degrees")});
   }
   return atlas;
 } catch (const nlohmann::json::exception& e) {
   throw Error(
-      fmt::format("{} is no atlas ({}); remove it, or leave out --resume", label, e.what()));
+      fmt::format("{} is no atlas ({}); remove it, or give another folder", label, e.what()));
 }
 
 }  // namespace lumaknot

@@ -18,18 +18,25 @@ struct Atlas {
 /// A table for a terminal: a line for each region, then the energies.
 std::string atlas_text(const Atlas& atlas);
 
-/// JSON, two spaces deep, ending in a newline. What is no number is null.
+/// JSON with the program's version, two spaces deep, ending in a newline. What is no number is
+/// null.
 std::string atlas_json(const Atlas& atlas);
 
-/// The atlas that atlas_json() told, its pictures read from `folder`/NAME/. Throws Error calling
-/// the text `label` when it is none.
+/// The atlas that atlas_json() told, its pictures read from `folder`/NAME/; a region that
+/// lacks one is left out. Throws Error calling
+/// the text `label` when it is none, or one of another version of the program.
 Atlas read_atlas(std::string_view json, const std::filesystem::path& folder,
                  std::string_view label);
 
 /// One HTML page that needs nothing else.
 std::string atlas_html(const Atlas& atlas);
 
-/// "0.38 -> 0.37", the boundary from holding to failing in as many digits as tell its sides apart.
+/// "holds again from 150 to 1000": the swept values beyond the boundary that do, rounded into
+/// their stretches; empty where none does.
+std::string again_text(const Entry& entry);
+
+/// "0.38 -> 0.37", the boundary from holding to failing: each side rounded away from the other, in
+/// as many digits as keep it within what lies between them.
 std::string boundary_text(const Boundary& boundary);
 
 }  // namespace lumaknot

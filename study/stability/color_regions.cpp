@@ -138,6 +138,7 @@ Region dark_clamp(Space space) {
       "the dark side keeps the full chroma of the texture, which so dark no colour of the cube "
       "has: "
       "channels below 0 are cut off and the hue turns";
+  if (space == Space::kCieluv) region.reason += "; at 0 all is black, which has no hue";
   region.shown_fails = 0.1;
   region.shown_holds = 1;
   return region;
@@ -150,6 +151,9 @@ Region bright_clamp(Space space) {
   region.reason =
       "channels above 1 are cut off one after the other, and the hue turns to the next "
       "corner of the cube";
+  if (space != Space::kRgb) {
+    region.reason += "; in light brighter still most become white, which has no hue";
+  }
   region.shown_fails = 2.5;
   region.shown_holds = 1;
   return region;

@@ -22,9 +22,12 @@ double reflected_share(const Term& term, double incidence);
 struct Energy {
   std::string term;           ///< its name and numbers
   double most = 0;            ///< the share
-  double at_degrees = 0;      ///< the incidence
+  double at_degrees = 0;      ///< the incidence; negative: the same at all
   double above_degrees = -1;  ///< from which incidence on it is above 1; negative: never
 };
+
+/// The most that `term` reflects, called `name`.
+Energy energy_of(std::string name, const Term& term);
 
 /// Every model's diffuse and specular term, by the numbers of the default material and at the ends.
 std::vector<Energy> energies();

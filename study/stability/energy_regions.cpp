@@ -12,8 +12,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// The knot as a furnace would show it: each point as bright as the share that the term sends back
-/// at its n.v; red where that is above 1.
-Image draw_furnace(const Term& term, int side) {
+/// at its n.v, up to `most` degrees; red where that is above 1.
+Image draw_furnace(const Term& term, int side, double most = 90) {
   std::vector<double> shares;
   for (int degrees = 0; degrees <= 89; ++degrees) {
     shares.push_back(reflected_share(term, degrees * kDegree));
@@ -22,6 +22,7 @@ Image draw_furnace(const Term& term, int side) {
   return shade_each(scene, side, [&](const Fragment& f) {
     const double cosine = dot(unit(f.normal), unit(scene.view.camera.position - f.position));
     const double degrees = std::acos(std::clamp(cosine, 0.0, 1.0)) / kDegree;
+    if (degrees > most) return Vec3d{};
     const double share = shares[std::size_t(std::min(degrees, 89.0))];
     constexpr double kIntegration = 1e-3;
     return share > 1 + kIntegration ? Vec3d{1, 0, 0} : grey(0.8 * share);
@@ -60,10 +61,13 @@ Region flat_light(std::string name, std::string method, Model model) {
   region.guarded = [](double a) {
     return reflected_share(specular(Model::kCookTorrance, 0), a * kDegree);
   };
-  region.sketch = [=](double, int side) { return draw_furnace(specular(model, kShininess), side); };
-  region.guarded_sketch = [](double, int side) {
-    return draw_furnace(specular(Model::kCookTorrance, 0), side);
+  region.sketch = [=](double a, int side) {
+    return draw_furnace(specular(model, kShininess), side, a);
   };
+  region.guarded_sketch = [](double a, int side) {
+    return draw_furnace(specular(Model::kCookTorrance, 0), side, a);
+  };
+  region.shown_holds = 80;
   return region;
 }
 
@@ -84,6 +88,7 @@ Region minnaert_energy() {
   };
   region.sketch = [](double k, int side) { return draw_furnace(minnaert(k), side); };
   region.guarded_sketch = [](double, int side) { return draw_furnace(minnaert(1), side); };
+  region.guarded_shows = [](double) { return "k = 1"; };
   region.shown_holds = 1.5;
   region.shown_fails = 0.5;
   return region;

@@ -1,4 +1,6 @@
 // Single precision.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 
@@ -151,6 +153,7 @@ Region narrow_spot_edge() {
   region.guarded_sketch = [](double edge, int side) {
     return draw(in_spot(std::max(edge, 0.1)), side);
   };
+  region.guarded_shows = [](double edge) { return fmt::format("{:.4g}", std::max(edge, 0.1)); };
   return region;
 }
 

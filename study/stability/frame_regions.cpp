@@ -257,6 +257,7 @@ Region difference_step(double from, double to) {
     return draw(scene, side);
   };
   region.guarded_sketch = [knot](double, int side) { return draw(inner_view(knot()), side); };
+  region.guarded_shows = [](double) { return "no step"; };
   return region;
 }
 

@@ -1,4 +1,6 @@
 // Tubes, turns and grids.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "meshgen/clearance.h"
@@ -27,7 +29,7 @@ Region tube_clearance() {
   region.reason =
       "beyond the clearance, half of the least distance of two strands or the least radius of "
       "curvature, the surface passes through itself";
-  region.remedy = "keep the radius below clearance(), which `lumaknot mesh` warns with";
+  region.remedy = "keep the radius below the clearance, which `lumaknot mesh --measure` tells";
   region.sweep = {"tube radius, R = 1, w = 0.4", 0.05, 0.45};
   region.measured = "how deep the tube reaches into itself, share of its radius";
   region.limit = 0.01;
@@ -38,6 +40,9 @@ Region tube_clearance() {
   };
   region.guarded_sketch = [cleared](double r, int side) {
     return draw(knot_scene(cleared(r), Material{}), side);
+  };
+  region.guarded_shows = [cleared](double r) {
+    return fmt::format("radius {:.4g}", cleared(r).tube_radius);
   };
   region.shown_holds = 0.2;
   return region;
@@ -64,7 +69,7 @@ Region strands_touch() {
   region.group = "Tubes and grids";
   region.method = "one tube radius, 0.1, for every (2,q), q to 100";
   region.reason = "strands that wind more often lie nearer to each other, as 1 / q";
-  region.remedy = "a radius below the knot's own clearance()";
+  region.remedy = "a radius below the knot's own clearance, which `lumaknot mesh --measure` tells";
   region.sweep = {"windings q of the (2,q) knot or link", 1, 100, false, true};
   region.measured = "tube radius / clearance";
   region.limit = 1;
@@ -75,6 +80,9 @@ Region strands_touch() {
   };
   region.guarded_sketch = [fitted](double q, int side) {
     return draw(knot_scene(fitted(q), Material{}), side);
+  };
+  region.guarded_shows = [fitted](double q) {
+    return fmt::format("{}, radius {:.3g}", q, fitted(q).tube_radius);
   };
   region.shown_holds = 3;
   region.shown_fails = 25;
@@ -96,6 +104,9 @@ Region coarse(std::function<KnotSpec(double)> knot, std::function<KnotSpec(doubl
   };
   region.guarded_sketch = [fine](double x, int side) {
     return draw(knot_scene(fine(x), Material{}), side);
+  };
+  region.guarded_shows = [fine](double x) {
+    return fmt::format("{} x {} grid", fine(x).segments, fine(x).sides);
   };
   return region;
 }
@@ -187,6 +198,7 @@ Region grazing_normals() {
   region.guarded = [scene](double) { return turned_away(scene(64)); };
   region.sketch = [scene](double n, int side) { return draw_turned(scene(n), side); };
   region.guarded_sketch = [scene](double, int side) { return draw_turned(scene(64), side); };
+  region.guarded_shows = [](double) { return "64 sides"; };
   region.shown_fails = 6;
   region.shown_holds = 64;
   return region;
@@ -222,6 +234,7 @@ Region unnormalised_normal() {
       "between vertices the normal is shorter than one, and R = 2 (n.L) n - L is no mirror "
       "direction: highlights move and dim between vertices";
   region.remedy = "renormalise in every pixel (material.normal \"unit\")";
+  region.shown_fails = 5;
   return region;
 }
 

@@ -1,7 +1,10 @@
 // Highlights.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 
+#include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 #include "study/stability/textbook.h"
@@ -33,13 +36,14 @@ double highlight_beyond(Model model, double shininess, double degrees) {
   return specular_term<double>(model, {n, l, v, dot(n, l)}, {.shininess = shininess});
 }
 
-/// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, over steps
-/// of half a degree.
+/// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, before it,
+/// on it and beyond, over steps of half a degree.
 double jump(Model model, double shininess) {
   constexpr double kStep = 0.5;
   const auto f = [&](int steps) { return highlight_beyond(model, shininess, kStep * steps); };
-  const double inside = f(-2) - 2 * f(-1) + f(0), outside = f(0) - 2 * f(1) + f(2);
-  return std::abs(inside - outside) / std::pow(kStep * kDegree, 2);
+  const auto [least, most] =
+      std::minmax({f(-2) - 2 * f(-1) + f(0), f(-1) - 2 * f(0) + f(1), f(0) - 2 * f(1) + f(2)});
+  return (most - least) / std::pow(kStep * kDegree, 2);
 }
 
 Region phong_cutoff() {
@@ -138,16 +142,16 @@ Region shininess_zero() {
   region.measured = "share of pixels with a highlight above 1/2";
   region.limit = 0.5;
   region.error = [](double k) { return washed(highlight_scene(Model::kPhong, k)); };
-  region.guarded = [](double k) {  // as wide: alpha^2 = 2 / (k + 2)
+  const auto cook_torrance = [](double k) {  // as wide: alpha^2 = 2 / (k + 2)
     Scene scene = highlight_scene(Model::kCookTorrance, k);
     scene.view.material.roughness = std::pow(2 / (k + 2), 0.25);
-    return washed(scene);
+    return scene;
   };
+  region.guarded = [=](double k) { return washed(cook_torrance(k)); };
   region.sketch = [](double k, int side) { return draw(highlight_scene(Model::kPhong, k), side); };
-  region.guarded_sketch = [](double k, int side) {
-    Scene scene = highlight_scene(Model::kCookTorrance, k);
-    scene.view.material.roughness = std::pow(2 / (k + 2), 0.25);
-    return draw(scene, side);
+  region.guarded_sketch = [=](double k, int side) { return draw(cook_torrance(k), side); };
+  region.guarded_shows = [=](double k) {
+    return fmt::format("roughness {:.3g}", cook_torrance(k).view.material.roughness);
   };
   return region;
 }
@@ -197,29 +201,6 @@ Region power_zero_zero() {
   return region;
 }
 
-/// The largest difference of Phong's highlight in float from double, its peak seen from where it is
-/// above 1 %, on some normals.
-double peak_error(double shininess) {
-  constexpr int kNormals = 20, kAngles = 40;
-  double largest = 0;
-  for (int i = 0; i < kNormals; ++i) {
-    const double a = 2.4 * i;
-    const Vec3d n = normalize(Vec3d{std::cos(a), std::sin(a), 0.3 + 0.1 * i});
-    const Vec3d x = normalize(cross(n, Vec3d{0, 0, 1})), l = n * 0.8 + x * 0.6;
-    const Vec3d mirror = n * 0.8 - x * 0.6, across = n * 0.6 + x * 0.8;
-    for (int j = 0; j < kAngles; ++j) {
-      const double angle = std::sqrt(2 * std::log(100) / shininess) * j / kAngles;
-      const Vec3d v = mirror * std::cos(angle) + across * std::sin(angle);
-      const Vec3<float> nf = constant_vec<float>(n), lf = constant_vec<float>(l);
-      const float highlight =
-          phong_highlight<float>({nf, lf, constant_vec<float>(v), dot(nf, lf)}, float(shininess));
-      const double exact = phong_highlight<double>({n, l, v, dot(n, l)}, shininess);
-      largest = std::max(largest, std::abs(highlight - exact));
-    }
-  }
-  return largest;
-}
-
 Region shininess_float() {
   Region region;
   region.name = "shininess-float";
@@ -230,7 +211,7 @@ Region shininess_float() {
   region.sweep = {"shininess k", 1, 1e6, true};
   region.measured = "largest difference of the highlight from double, of its peak";
   region.limit = 1.0 / 255;
-  region.error = peak_error;
+  region.error = peak_error<float>;
   region.sketch = [](double k, int side) {
     const Scene scene = highlight_scene(Model::kPhong, k);
     return shade_each(scene, side, color_in<float>(scene));
@@ -273,6 +254,7 @@ Region shininess_sampling() {
     scene.view.image.samples = 8;
     return draw(scene, side);
   };
+  region.guarded_shows = [](double k) { return fmt::format("{}, 8 x 8 samples", k); };
   region.shown_fails = 3000;
   region.shown_holds = 10;
   return region;

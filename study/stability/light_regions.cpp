@@ -181,6 +181,7 @@ Region light_at_infinity() {
     const Scene scene = sun(d);
     return shade_each(scene, side, color_in<float>(scene));
   };
+  region.guarded_shows = [](double) { return "directional"; };
   return region;
 }
 
@@ -265,8 +266,7 @@ Region eye_inside_tube() {
       "from inside one sees walls whose normals point away: lit by what is outside, "
       "with highlights through the wall";
   region.remedy =
-      "draw front faces alone (FastOptions::cull_back_faces), or turn normals to the "
-      "eye";
+      "draw front faces alone (`lumaknot render --fast --cull`), or turn normals to the eye";
   region.sweep = {"distance of the eye from the centre line", 0.6, 0.0};
   region.measured = "share of pixels with n.v < 0";
   region.limit = 0.02;

@@ -25,6 +25,18 @@ std::vector<double> swept_values(const Sweep& sweep, int steps) {
   return values;
 }
 
+std::vector<Stretch> stretches(const std::vector<Measured>& sweep, double limit, bool holding) {
+  std::vector<Stretch> all;
+  bool inside = false;
+  for (const Measured& m : sweep) {
+    const bool before = inside;
+    inside = (m.error <= limit) == holding;
+    if (inside && !before) all.push_back({m.x, m.x});
+    if (inside) all.back().to = m.x;
+  }
+  return all;
+}
+
 namespace {
 
 /// The value half way, or one of the two when they are neighbours.

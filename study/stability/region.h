@@ -40,8 +40,10 @@ struct Region {
   Measure error;
   Measure
       guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
-  std::vector<Quantity> also;                      ///< told at the values that are shown
-  Sketch sketch, guarded_sketch;                   ///< or nothing
+  std::vector<Quantity> also;     ///< told at the values that are shown
+  Sketch sketch, guarded_sketch;  ///< or nothing
+  std::function<std::string(double x)>
+      guarded_shows;  ///< what guarded_sketch draws where that is not the method's value
   std::optional<double> shown_holds, shown_fails;  ///< where sketches are drawn; else the ends
 };
 
@@ -58,6 +60,14 @@ std::vector<double> swept_values(const Sweep& sweep, int steps);
 struct Measured {
   double x = 0, error = 0;
 };
+
+/// Neighbouring swept values that all hold or all fail, from the first to the last of them.
+struct Stretch {
+  double from = 0, to = 0;
+};
+
+/// The stretches of `sweep` whose errors are within `limit`, or the others when not `holding`.
+std::vector<Stretch> stretches(const std::vector<Measured>& sweep, double limit, bool holding);
 
 /// Two neighbouring values between which the method breaks.
 struct Boundary {

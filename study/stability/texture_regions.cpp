@@ -90,7 +90,7 @@ Region scrolled_texture() {
   region.name = "scrolled-texture-float";
   region.group = "Textures";
   region.method = "texture coordinates in float, scrolled by many tiles";
-  region.reason = "beyond 2^14 tiles neighbouring floats lie more than a texel of 512 apart";
+  region.reason = "from 2^15 tiles on neighbouring floats lie two texels of 512 or more apart";
   region.remedy = "take whole tiles off before the coordinates reach the shader";
   region.sweep = {"tiles", 1, 1e7, true, true};
   region.measured = "largest error of the texture coordinate, texels of 512";
@@ -101,6 +101,7 @@ Region scrolled_texture() {
   region.guarded_sketch = [](double tiles, int side) {
     return draw_scrolled(tiles - std::floor(tiles), side);
   };
+  region.guarded_shows = [](double) { return "no whole tile"; };
   region.shown_fails = 1 << 19;
   region.shown_holds = 1;
   return region;

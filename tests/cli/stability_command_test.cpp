@@ -42,6 +42,35 @@ TEST_F(Stability, writes_page_json_and_pictures_and_goes_on_where_it_was) {
   EXPECT_THAT(read("atlas/index.html"), HasSubstr("difference-step-long"));
 }
 
+TEST_F(Stability, keeps_what_the_folder_holds) {
+  const auto examined = [&](const std::string& region) {
+    const Ended ended = lumaknot({"stability", region, "-o", "atlas"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.log;
+    return ended.log;
+  };
+  EXPECT_THAT(examined("half-way-opposite"), HasSubstr("\n1 region; see"));
+  const auto before = nlohmann::ordered_json::parse(read("atlas/atlas.json"))["regions"][0];
+  EXPECT_THAT(examined("difference-step-long"), HasSubstr("\n2 regions; see"));
+  examined("difference-step-long");  // anew, once
+  const auto regions = nlohmann::ordered_json::parse(read("atlas/atlas.json"))["regions"];
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0]["name"], "difference-step-long");
+  EXPECT_EQ(regions[1], before);
+  EXPECT_THAT(read("atlas/index.html"), HasSubstr("section id=\"half-way-opposite\""));
+  EXPECT_THAT(read("atlas/index.html"), HasSubstr("section id=\"difference-step-long\""));
+}
+
+TEST_F(Stability, leaves_a_folder_of_another_version_alone) {
+  fs::create_directory(path("atlas"));
+  const std::string other = R"({"version": "0.0.1", "regions": [], "energies": []})";
+  for (const std::string& text : {other, std::string("{}")}) {
+    write("atlas/atlas.json", text);
+    expect_refused({"stability", "half-way-opposite", "-o", "atlas"}, "give another folder");
+    expect_refused({"stability", "-o", "atlas", "--resume"}, "give another folder");
+    EXPECT_EQ(read("atlas/atlas.json"), text);
+  }
+}
+
 TEST_F(Stability, refuses_what_it_does_not_know) {
   expect_refused({"stability", "nonsense"}, "there is no region \"nonsense\"");
   expect_refused({"stability", "--resume"}, "--resume needs --output");

@@ -43,14 +43,14 @@ const Sides kSides[] = {
     {"unnormalised-normal", 8, 5},
     {"light-at-vertices", 32, 25},
     {"texture-seam", 52, 40},
-    // 2^24 / 512: beyond, neighbours are a texel apart.
+    // 2^24 / 512: from there on neighbours are two texels apart, and half of it is above 1/2.
     {"scrolled-texture-float", 32767, 32768},
     // Lengths of some 5.9.
     {"huge-coordinates-float", kWhatFloatSquares / 6.1, kWhatFloatSquares / 5.4},
     {"tiny-coordinates-float", 1e-21, 4e-22},
     {"offset-float", 6e4, 1.1e5},
     {"spot-edge-float", 0.02, 0.004},
-    {"half-power", 55, 90},
+    {"half-power", 45, 55},
     // Squares of half end at 65520, lengths of some 5.9 at 256 / 5.9.
     {"half-normalize-far", 42, 45},
     {"half-normalize-near", 1.2e-3, 8e-4},
@@ -117,6 +117,12 @@ TEST_P(Regions, method_holds_on_one_side_and_fails_on_the_other) {
   const double good = region().error(GetParam().holds), bad = region().error(GetParam().fails);
   EXPECT_TRUE(holds(region(), good)) << good;
   EXPECT_FALSE(holds(region(), bad)) << bad;
+}
+
+TEST_P(Regions, pictures_are_of_both_sides) {
+  const Region& r = region();
+  EXPECT_TRUE(holds(r, r.error(r.shown_holds.value_or(r.sweep.from))));
+  EXPECT_FALSE(holds(r, r.error(r.shown_fails.value_or(r.sweep.to))));
 }
 
 TEST_P(Regions, remedy_holds_on_both_sides) {
