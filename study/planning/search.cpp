@@ -1,6 +1,7 @@
 #include "study/planning/search.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace lumaknot {
@@ -126,42 +127,90 @@ std::size_t guessed_rung(const Method& way, std::span<const GridSize> ladder,
   return first([&](const PredictedError& error) { return error.place <= tolerance.shift; });
 }
 
-/// Ways in the order of their coarsest grid's time.
-std::vector<Method> ways_by_time(const Choices& choices, Workshop& workshop) {
+std::vector<Method> on_coarsest(const Choices& choices) {
   std::vector<Method> coarse;
   for (const Method& way : choices.ways) coarse.push_back(with_grid(way, choices.ladder.front()));
-  workshop.time(coarse, kFirst);
-  std::ranges::stable_sort(coarse, {}, [&](const Method& m) { return workshop.least_ratio(m); });
   return coarse;
 }
+
+/// The same with fewer samples, of double: what has more takes longer, and long to be timed at all.
+std::optional<Method> quicker_way(Method way, std::span<const Method> ways) {
+  if (way.number != Number::kDouble) return {};
+  const int samples = way.samples;
+  for (const Method& other : ways) {
+    way.samples = other.samples;
+    if (way == other && way.samples < samples) return other;
+  }
+  return {};
+}
+
+/// The search of all ways.
+class WaySearch {
+ public:
+  WaySearch(const Choices& choices, const Predictor& predictor, Workshop& workshop)
+      : choices_(choices), predictor_(predictor), workshop_(workshop) {}
+
+  /// Those of `ways` that are fast enough on their coarsest grid, the fastest first.
+  void search(std::vector<Method> ways, const Progress& progress) {
+    workshop_.time(ways, kFirst);
+    std::ranges::stable_sort(ways, {}, [&](const Method& m) { return workshop_.least_ratio(m); });
+    double done = 0;
+    for (const Method& way : ways) {
+      report(progress, 0.8 * done++ / double(ways.size()));
+      if (!is_too_slow(way)) search(way);
+    }
+  }
+
+  /// Whether the best that was found is faster than that way's coarsest grid.
+  bool is_too_slow(const Method& way) {
+    const std::optional<Method> best = fastest(finalists_, workshop_);
+    return best && workshop_.least_ratio(way) > kClearly * workshop_.ratio(*best);
+  }
+
+  std::span<const Method> finalists() const { return finalists_; }
+
+ private:
+  void search(const Method& way) {
+    Rungs rungs(way, choices_.ladder, workshop_);
+    const auto found = rungs.coarsest(guessed_rung(way, choices_.ladder, predictor_));
+    if (!found) return;
+    const std::size_t last = std::min(*found + kNeighbours, choices_.ladder.size() - 1);
+    for (std::size_t rung = *found; rung <= last; ++rung) {
+      if (rungs.meets(rung)) finalists_.push_back(rungs.at(rung));
+    }
+    workshop_.time(finalists_, kFirst);
+  }
+
+  const Choices& choices_;
+  const Predictor& predictor_;
+  Workshop& workshop_;
+  std::vector<Method> finalists_;
+};
 
 }  // namespace
 
 std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
                                          Workshop& workshop, int rounds, const Progress& progress) {
-  std::vector<Method> finalists;
-  const std::vector<Method> coarse = ways_by_time(choices, workshop);
-  double done = 0;
-  for (const Method& way : coarse) {
-    report(progress, 0.8 * done++ / double(coarse.size()));
-    const std::optional<Method> best = fastest(finalists, workshop);
-    if (best && workshop.least_ratio(way) > kClearly * workshop.ratio(*best)) continue;
-    Rungs rungs(way, choices.ladder, workshop);
-    const auto found = rungs.coarsest(guessed_rung(way, choices.ladder, predictor));
-    if (!found) continue;
-    const std::size_t last = std::min(*found + kNeighbours, choices.ladder.size() - 1);
-    for (std::size_t rung = *found; rung <= last; ++rung) {
-      if (rungs.meets(rung)) finalists.push_back(rungs.at(rung));
-    }
-    workshop.time(finalists, kFirst);
-  }
-  time_well(finalists, workshop, rounds);
+  const std::vector<Method> all = on_coarsest(choices);
+  std::vector<Method> first;
+  std::ranges::copy_if(all, std::back_inserter(first),
+                       [&](const Method& way) { return !quicker_way(way, all); });
+  WaySearch search(choices, predictor, workshop);
+  search.search(first, progress);
+  std::vector<Method> later;
+  std::ranges::copy_if(all, std::back_inserter(later), [&](const Method& way) {
+    const std::optional<Method> quicker = quicker_way(way, first);
+    return quicker && !search.is_too_slow(*quicker);
+  });
+  search.search(later, {});
+  time_well(search.finalists(), workshop, rounds);
   report(progress, 1);
-  return fastest(finalists, workshop);
+  return fastest(search.finalists(), workshop);
 }
 
 std::optional<Method> fastest_of_all(const Choices& choices, const std::optional<Method>& chosen,
                                      Workshop& workshop, int rounds, const Progress& progress) {
+  workshop.time(on_coarsest(choices), kFirst);
   // More triangles take longer, whatever the way.
   const auto hopeless = [&](const Method& way) {
     const double least = workshop.least_ratio(with_grid(way, choices.ladder.front()));
