@@ -1,7 +1,7 @@
 #include "study/planning/search.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <limits>
 
 namespace lumaknot {
@@ -133,15 +133,23 @@ std::vector<Method> on_coarsest(const Choices& choices) {
   return coarse;
 }
 
-/// The same with fewer samples, of double: what has more takes longer, and long to be timed at all.
-std::optional<Method> quicker_way(Method way, std::span<const Method> ways) {
-  if (way.number != Number::kDouble) return {};
-  const int samples = way.samples;
-  for (const Method& other : ways) {
-    way.samples = other.samples;
-    if (way == other && way.samples < samples) return other;
+/// Whether `quicker` is the same way in double with fewer samples. Each is shaded: with four times
+/// as many a frame takes nearly four times as long, and long to be timed at all.
+bool is_quicker(const Method& quicker, const Method& way) {
+  Method same = way;
+  same.samples = quicker.samples;
+  return way.number == Number::kDouble && quicker == same && quicker.samples < way.samples;
+}
+
+/// Takes out of `ways` all but those that are others with more samples.
+std::vector<Method> take_quickest(std::vector<Method>& ways) {
+  std::vector<Method> quickest, slower;
+  for (const Method& way : ways) {
+    const auto quicker = [&](const Method& m) { return is_quicker(m, way); };
+    (std::ranges::any_of(ways, quicker) ? slower : quickest).push_back(way);
   }
-  return {};
+  ways = std::move(slower);
+  return quickest;
 }
 
 /// The search of all ways.
@@ -161,15 +169,27 @@ class WaySearch {
     }
   }
 
-  /// Whether the best that was found is faster than that way's coarsest grid.
-  bool is_too_slow(const Method& way) {
-    const std::optional<Method> best = fastest(finalists_, workshop_);
-    return best && workshop_.least_ratio(way) > kClearly * workshop_.ratio(*best);
+  /// Those of `ways`, none of them searched or timed, that may be fast enough, having more samples
+  /// than others; of each four times as many take twice as long at least.
+  std::vector<Method> fast_enough(std::vector<Method> ways, std::span<const Method> all) {
+    std::erase_if(ways, [&](const Method& way) {
+      return std::ranges::any_of(all, [&](const Method& quicker) {
+        return is_quicker(quicker, way) &&
+               is_too_slow(quicker, std::sqrt(double(way.samples) / quicker.samples));
+      });
+    });
+    return ways;
   }
 
   std::span<const Method> finalists() const { return finalists_; }
 
  private:
+  /// Whether the best that was found is faster than so many times that way's coarsest grid's time.
+  bool is_too_slow(const Method& way, double times = 1) {
+    const std::optional<Method> best = fastest(finalists_, workshop_);
+    return best && times * workshop_.least_ratio(way) > kClearly * workshop_.ratio(*best);
+  }
+
   void search(const Method& way) {
     Rungs rungs(way, choices_.ladder, workshop_);
     const auto found = rungs.coarsest(guessed_rung(way, choices_.ladder, predictor_));
@@ -192,17 +212,12 @@ class WaySearch {
 std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
                                          Workshop& workshop, int rounds, const Progress& progress) {
   const std::vector<Method> all = on_coarsest(choices);
-  std::vector<Method> first;
-  std::ranges::copy_if(all, std::back_inserter(first),
-                       [&](const Method& way) { return !quicker_way(way, all); });
   WaySearch search(choices, predictor, workshop);
-  search.search(first, progress);
-  std::vector<Method> later;
-  std::ranges::copy_if(all, std::back_inserter(later), [&](const Method& way) {
-    const std::optional<Method> quicker = quicker_way(way, first);
-    return quicker && !search.is_too_slow(*quicker);
-  });
-  search.search(later, {});
+  for (std::vector<Method> left = all, now; !left.empty();) {
+    const bool first = left.size() == all.size();
+    now = take_quickest(left);
+    search.search(search.fast_enough(now, all), first ? progress : Progress{});
+  }
   time_well(search.finalists(), workshop, rounds);
   report(progress, 1);
   return fastest(search.finalists(), workshop);
