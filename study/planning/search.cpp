@@ -1,6 +1,7 @@
 #include "study/planning/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lumaknot {
@@ -126,42 +127,105 @@ std::size_t guessed_rung(const Method& way, std::span<const GridSize> ladder,
   return first([&](const PredictedError& error) { return error.place <= tolerance.shift; });
 }
 
-/// Ways in the order of their coarsest grid's time.
-std::vector<Method> ways_by_time(const Choices& choices, Workshop& workshop) {
+std::vector<Method> on_coarsest(const Choices& choices) {
   std::vector<Method> coarse;
   for (const Method& way : choices.ways) coarse.push_back(with_grid(way, choices.ladder.front()));
-  workshop.time(coarse, kFirst);
-  std::ranges::stable_sort(coarse, {}, [&](const Method& m) { return workshop.least_ratio(m); });
   return coarse;
 }
+
+/// Whether `quicker` is the same way in double with fewer samples. Each is shaded: with four times
+/// as many a frame takes nearly four times as long, and long to be timed at all.
+bool is_quicker(const Method& quicker, const Method& way) {
+  Method same = way;
+  same.samples = quicker.samples;
+  return way.number == Number::kDouble && quicker == same && quicker.samples < way.samples;
+}
+
+/// Takes out of `ways` all but those that are others with more samples.
+std::vector<Method> take_quickest(std::vector<Method>& ways) {
+  std::vector<Method> quickest, slower;
+  for (const Method& way : ways) {
+    const auto quicker = [&](const Method& m) { return is_quicker(m, way); };
+    (std::ranges::any_of(ways, quicker) ? slower : quickest).push_back(way);
+  }
+  ways = std::move(slower);
+  return quickest;
+}
+
+/// The search of all ways.
+class WaySearch {
+ public:
+  WaySearch(const Choices& choices, const Predictor& predictor, Workshop& workshop)
+      : choices_(choices), predictor_(predictor), workshop_(workshop) {}
+
+  /// Those of `ways` that are fast enough on their coarsest grid, the fastest first.
+  void search(std::vector<Method> ways, const Progress& progress) {
+    workshop_.time(ways, kFirst);
+    std::ranges::stable_sort(ways, {}, [&](const Method& m) { return workshop_.least_ratio(m); });
+    double done = 0;
+    for (const Method& way : ways) {
+      report(progress, 0.8 * done++ / double(ways.size()));
+      if (!is_too_slow(way)) search(way);
+    }
+  }
+
+  /// Those of `ways`, none of them searched or timed, that may be fast enough, having more samples
+  /// than others; of each four times as many take twice as long at least.
+  std::vector<Method> fast_enough(std::vector<Method> ways, std::span<const Method> all) {
+    std::erase_if(ways, [&](const Method& way) {
+      return std::ranges::any_of(all, [&](const Method& quicker) {
+        return is_quicker(quicker, way) &&
+               is_too_slow(quicker, std::sqrt(double(way.samples) / quicker.samples));
+      });
+    });
+    return ways;
+  }
+
+  std::span<const Method> finalists() const { return finalists_; }
+
+ private:
+  /// Whether the best that was found is faster than so many times that way's coarsest grid's time.
+  bool is_too_slow(const Method& way, double times = 1) {
+    const std::optional<Method> best = fastest(finalists_, workshop_);
+    return best && times * workshop_.least_ratio(way) > kClearly * workshop_.ratio(*best);
+  }
+
+  void search(const Method& way) {
+    Rungs rungs(way, choices_.ladder, workshop_);
+    const auto found = rungs.coarsest(guessed_rung(way, choices_.ladder, predictor_));
+    if (!found) return;
+    const std::size_t last = std::min(*found + kNeighbours, choices_.ladder.size() - 1);
+    for (std::size_t rung = *found; rung <= last; ++rung) {
+      if (rungs.meets(rung)) finalists_.push_back(rungs.at(rung));
+    }
+    workshop_.time(finalists_, kFirst);
+  }
+
+  const Choices& choices_;
+  const Predictor& predictor_;
+  Workshop& workshop_;
+  std::vector<Method> finalists_;
+};
 
 }  // namespace
 
 std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
                                          Workshop& workshop, int rounds, const Progress& progress) {
-  std::vector<Method> finalists;
-  const std::vector<Method> coarse = ways_by_time(choices, workshop);
-  double done = 0;
-  for (const Method& way : coarse) {
-    report(progress, 0.8 * done++ / double(coarse.size()));
-    const std::optional<Method> best = fastest(finalists, workshop);
-    if (best && workshop.least_ratio(way) > kClearly * workshop.ratio(*best)) continue;
-    Rungs rungs(way, choices.ladder, workshop);
-    const auto found = rungs.coarsest(guessed_rung(way, choices.ladder, predictor));
-    if (!found) continue;
-    const std::size_t last = std::min(*found + kNeighbours, choices.ladder.size() - 1);
-    for (std::size_t rung = *found; rung <= last; ++rung) {
-      if (rungs.meets(rung)) finalists.push_back(rungs.at(rung));
-    }
-    workshop.time(finalists, kFirst);
+  const std::vector<Method> all = on_coarsest(choices);
+  WaySearch search(choices, predictor, workshop);
+  for (std::vector<Method> left = all, now; !left.empty();) {
+    const bool first = left.size() == all.size();
+    now = take_quickest(left);
+    search.search(search.fast_enough(now, all), first ? progress : Progress{});
   }
-  time_well(finalists, workshop, rounds);
+  time_well(search.finalists(), workshop, rounds);
   report(progress, 1);
-  return fastest(finalists, workshop);
+  return fastest(search.finalists(), workshop);
 }
 
 std::optional<Method> fastest_of_all(const Choices& choices, const std::optional<Method>& chosen,
                                      Workshop& workshop, int rounds, const Progress& progress) {
+  workshop.time(on_coarsest(choices), kFirst);
   // More triangles take longer, whatever the way.
   const auto hopeless = [&](const Method& way) {
     const double least = workshop.least_ratio(with_grid(way, choices.ladder.front()));

@@ -12,7 +12,8 @@ namespace lumaknot {
 /// The fastest method that was found to meet the tolerance; none where nothing does. Each way's
 /// coarsest grid is timed, the fastest way comes first; where the prediction says that the
 /// tolerance is met its bisection begins, and what counts is what is measured. A way whose coarsest
-/// grid is already slower than the best that was found is left out.
+/// grid is already slower than the best that was found is left out, and in double the same way with
+/// more samples, untimed.
 std::optional<Method> fastest_that_meets(const Choices& choices, const Predictor& predictor,
                                          Workshop& workshop, int rounds, const Progress& progress);
 
