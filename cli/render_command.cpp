@@ -41,12 +41,12 @@ KnotSpec exact_knot(const MeshSpec& mesh) {
 }
 
 /// A drawn image and, of the truth, the largest error that it tells of itself.
-struct Drawn {
+struct RenderedImage {
   Image image;
   std::optional<double> error;
 };
 
-Drawn draw_truth(const SceneInput& input, const RenderFlags& flags) {
+RenderedImage draw_truth(const SceneInput& input, const RenderFlags& flags) {
   const KnotSpec knot = exact_knot(input.spec.mesh);
   const Scene scene{{}, load_texture(input), input.spec.view};
   TruthOptions options = flags.truth_options;
@@ -55,7 +55,7 @@ Drawn draw_truth(const SceneInput& input, const RenderFlags& flags) {
   return {std::move(truth.image), std::ranges::max(truth.error.pixels)};
 }
 
-Drawn draw(const SceneInput& input, const RenderFlags& flags) {
+RenderedImage draw(const SceneInput& input, const RenderFlags& flags) {
   if (!flags.truth.empty()) return draw_truth(input, flags);
   Scene scene = load_scene(input);
   if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};

@@ -1,9 +1,8 @@
 /// The leanest grid within a distance of the exact tube.
 #pragma once
 
-#include <functional>
-
 #include "meshgen/surface.h"
+#include "scene/progress.h"
 
 namespace lumaknot {
 
@@ -12,9 +11,6 @@ struct LeanGrid {
   int segments = 0, sides = 0;
   double chord = 0;  ///< measured, scene units
 };
-
-/// Told the share of the work that is done, 0 ... 1, rising; called from one thread.
-using Progress = std::function<void(double)>;
 
 /// The grid of fewest triangles, of all with segments >= 3 and sides >= 3, whose
 /// measured_chord() is at most `max_error` scene units; of several, the one that is off least. The

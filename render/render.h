@@ -1,17 +1,13 @@
 /// Our own images.
 #pragma once
 
-#include <functional>
-
 #include "render/rasterizer.h"
 #include "scene/image.h"
+#include "scene/progress.h"
 #include "scene/scene.h"
 #include "scene/shot.h"
 
 namespace lumaknot {
-
-/// Called with the finished share in [0, 1], from any thread, one call at a time.
-using Progress = std::function<void(double)>;
 
 /// The shot's colour where the fragment lies, in double. Black where nothing is seen.
 Vec3d shade(const Scene& scene, const Shot& shot, const Fragment& fragment);

@@ -108,10 +108,10 @@ class ValidatedRenderer final : public OtherProgram {
     const bool own_timer = told.size() == shots.size();
     const double rest = own_timer || !drew_all(rendering) ? 0 : time_of_first(drawn, shots);
     for (std::size_t i = 0; i < spaces.size(); ++i) {
-      const Drawn& first = rendering.shots[i * kCopies];
+      const RenderedShot& first = rendering.shots[i * kCopies];
       const std::string name =
           fmt::format("{} {} pixel {} 1x", this->name(), grid_name(own), name_of(spaces[i]));
-      if (first.status != Drawn::Status::kDrawn) {
+      if (first.status != RenderedShot::Status::kDrawn) {
         result.missing.push_back({name, first.why});
         continue;
       }
@@ -145,8 +145,9 @@ class ValidatedRenderer final : public OtherProgram {
   }
 
   static bool drew_all(const Rendering& rendering) {
-    return std::ranges::all_of(
-        rendering.shots, [](const Drawn& drawn) { return drawn.status == Drawn::Status::kDrawn; });
+    return std::ranges::all_of(rendering.shots, [](const RenderedShot& drawn) {
+      return drawn.status == RenderedShot::Status::kDrawn;
+    });
   }
 
   /// Seconds of a process that draws one frame.

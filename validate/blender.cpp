@@ -75,12 +75,12 @@ class Blender final : public Renderer {
   Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
     Rendering rendering;
     if (const std::string missing = remedy(); !missing.empty()) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, missing);
+      rendering.shots = undrawn(shots.size(), RenderedShot::Status::kSkipped, missing);
     } else {
       try {
         rendering = draw_on_display(scene, shots);
       } catch (const std::runtime_error& e) {
-        rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+        rendering.shots = undrawn(shots.size(), RenderedShot::Status::kFailed, e.what());
       }
     }
     rendering.renderer = name_;

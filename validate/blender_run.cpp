@@ -24,11 +24,12 @@ std::vector<std::string> drawing_command(const BlenderRun& blender, std::span<co
 }
 
 /// The shot's picture, unless the OSL compiler told an error.
-Drawn drawn_shot(const fs::path& folder, const View& view, const Shot& shot, const Ended& ended) {
+RenderedShot drawn_shot(const fs::path& folder, const View& view, const Shot& shot,
+                        const Ended& ended) {
   const std::string bad = bad_end(ended);
-  if (!bad.empty()) return undrawn(1, Drawn::Status::kFailed, bad).front();
+  if (!bad.empty()) return undrawn(1, RenderedShot::Status::kFailed, bad).front();
   const std::string told = line_with(ended.log, fmt::format("ERROR: scene.{}.osl:", shot.name));
-  if (!told.empty()) return undrawn(1, Drawn::Status::kFailed, told).front();
+  if (!told.empty()) return undrawn(1, RenderedShot::Status::kFailed, told).front();
   return drawn_image(folder / (shot.name + ".exr"), view);
 }
 
@@ -64,11 +65,12 @@ Rendering draw_in_blender(const BlenderRun& blender, const Scene& scene,
     const Package package = blender_package(scene, possible, "scene", blender.shaders);
     rendering = draw_package(blender, package, scene.view, possible);
   }
-  std::vector<Drawn> all;
+  std::vector<RenderedShot> all;
   auto drawn = rendering.shots.begin();
   for (const Shot& shot : shots) {
     const auto why = shortfall(shot);
-    all.push_back(why ? undrawn(1, Drawn::Status::kSkipped, *why).front() : std::move(*drawn++));
+    all.push_back(why ? undrawn(1, RenderedShot::Status::kSkipped, *why).front()
+                      : std::move(*drawn++));
   }
   rendering.shots = std::move(all);
   return rendering;

@@ -9,33 +9,34 @@
 
 namespace lumaknot {
 
-std::vector<Drawn> undrawn(std::size_t shots, Drawn::Status status, const std::string& why) {
-  return std::vector<Drawn>(
-      shots, Drawn{.status = status, .why = why, .image = {}, .note = {}, .instead = {}});
+std::vector<RenderedShot> undrawn(std::size_t shots, RenderedShot::Status status,
+                                  const std::string& why) {
+  return std::vector<RenderedShot>(
+      shots, RenderedShot{.status = status, .why = why, .image = {}, .note = {}, .instead = {}});
 }
 
-Drawn believed(const std::function<Image()>& read) {
-  Drawn drawn;
+RenderedShot believed(const std::function<Image()>& read) {
+  RenderedShot drawn;
   try {
     drawn.image = read();
   } catch (const std::runtime_error& e) {
-    return undrawn(1, Drawn::Status::kFailed, e.what()).front();
+    return undrawn(1, RenderedShot::Status::kFailed, e.what()).front();
   }
   const bool shows =
       std::ranges::any_of(drawn.image.pixels, [](const RgbaPixel& p) { return p.coverage > 0; });
-  if (!shows) return undrawn(1, Drawn::Status::kFailed, "the image is blank").front();
+  if (!shows) return undrawn(1, RenderedShot::Status::kFailed, "the image is blank").front();
   const bool finite = std::ranges::all_of(drawn.image.pixels, [](const RgbaPixel& p) {
     return is_finite(to_vec(p.color)) && std::isfinite(p.coverage);
   });
   if (!finite) {
-    return undrawn(1, Drawn::Status::kFailed, "the image holds numbers that are not finite")
+    return undrawn(1, RenderedShot::Status::kFailed, "the image holds numbers that are not finite")
         .front();
   }
-  drawn.status = Drawn::Status::kDrawn;
+  drawn.status = RenderedShot::Status::kDrawn;
   return drawn;
 }
 
-Drawn drawn_image(const std::filesystem::path& path, const View& view) {
+RenderedShot drawn_image(const std::filesystem::path& path, const View& view) {
   return believed([&] { return read_image(path, view.image.width, view.image.height); });
 }
 

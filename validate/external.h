@@ -13,10 +13,10 @@ namespace lumaknot {
 
 /// The image that `read` returns, believed only when it throws no std::runtime_error, is finite and
 /// shows something; else why not.
-Drawn believed(const std::function<Image()>& read);
+RenderedShot believed(const std::function<Image()>& read);
 
 /// The image in `path`, believed as above when it decodes and has the scene's size.
-Drawn drawn_image(const std::filesystem::path& path, const View& view);
+RenderedShot drawn_image(const std::filesystem::path& path, const View& view);
 
 /// The first line of `text` that starts with `prefix`, or nothing.
 std::string line_with(std::string_view text, std::string_view prefix);

@@ -72,17 +72,17 @@ class Gpu final : public Renderer {
     rendering.renderer = name();
     const Availability here = availability();
     if (!here.found) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, here.remedy);
+      rendering.shots = undrawn(shots.size(), RenderedShot::Status::kSkipped, here.remedy);
       return rendering;
     }
     rendering.version = here.version;
-    std::map<std::string, Drawn> drawn;
+    std::map<std::string, RenderedShot> drawn;
     for (const std::vector<Shot>& job : jobs_of(shots)) {
       try {
         draw_job(here.path, scene, job, rendering, drawn);
       } catch (const std::runtime_error& e) {
         for (const Shot& shot : job) {
-          drawn[shot.name] = undrawn(1, Drawn::Status::kFailed, e.what()).front();
+          drawn[shot.name] = undrawn(1, RenderedShot::Status::kFailed, e.what()).front();
         }
       }
     }
@@ -108,7 +108,7 @@ class Gpu final : public Renderer {
   }
 
   void draw_job(const std::string& program, const Scene& scene, const std::vector<Shot>& shots,
-                Rendering& rendering, std::map<std::string, Drawn>& drawn) const {
+                Rendering& rendering, std::map<std::string, RenderedShot>& drawn) const {
     const PrivateFolder folder;
     write_gpu_job(folder.path(), scene, shots, interface_.language, programs_);
     rendering.command = {program, "job.json"};

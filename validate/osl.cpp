@@ -54,13 +54,13 @@ class Osl final : public Renderer {
   Rendering draw(const Scene& scene, std::span<const Shot> shots) const override {
     Rendering rendering;
     if (const Availability here = availability(); !here.found) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, here.remedy);
+      rendering.shots = undrawn(shots.size(), RenderedShot::Status::kSkipped, here.remedy);
     } else {
       try {
         rendering = draw_in_blender(blender(here.path), scene, shots);
         rendering.version = here.version;
       } catch (const std::runtime_error& e) {
-        rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+        rendering.shots = undrawn(shots.size(), RenderedShot::Status::kFailed, e.what());
       }
     }
     rendering.renderer = name();

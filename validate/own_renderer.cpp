@@ -19,8 +19,8 @@ class OwnRenderer final : public Renderer {
     rendering.renderer = name();
     rendering.version = availability().version;
     for (const Shot& shot : shots) {
-      Drawn drawn;
-      drawn.status = Drawn::Status::kDrawn;
+      RenderedShot drawn;
+      drawn.status = RenderedShot::Status::kDrawn;
       drawn.image = shade_all(scene, shot, fragments_);
       rendering.shots.push_back(std::move(drawn));
     }

@@ -64,11 +64,11 @@ std::vector<std::string> arguments(const std::string& program, const ImageSpec& 
 }
 
 /// What became of the frames that POV-Ray was asked for.
-std::vector<Drawn> drawn_frames(const Ended& ended, const fs::path& folder, const View& view,
-                                std::size_t frames) {
+std::vector<RenderedShot> drawn_frames(const Ended& ended, const fs::path& folder, const View& view,
+                                       std::size_t frames) {
   const std::string bad = bad_end(ended);
-  if (!bad.empty()) return undrawn(frames, Drawn::Status::kFailed, bad);
-  std::vector<Drawn> drawn;
+  if (!bad.empty()) return undrawn(frames, RenderedShot::Status::kFailed, bad);
+  std::vector<RenderedShot> drawn;
   for (std::size_t i = 0; i < frames; ++i) {
     drawn.push_back(drawn_image(folder / frame_file(i, frames), view));
   }
@@ -76,7 +76,7 @@ std::vector<Drawn> drawn_frames(const Ended& ended, const fs::path& folder, cons
 }
 
 /// The image of a term that was drawn with its light divided by `brightness`; black without.
-Image term_image(const std::vector<Drawn>& frames, std::optional<std::size_t> index,
+Image term_image(const std::vector<RenderedShot>& frames, std::optional<std::size_t> index,
                  double brightness, const ImageSpec& size) {
   if (!index) return {size.width, size.height};
   Image image = frames[*index].image;
@@ -85,14 +85,14 @@ Image term_image(const std::vector<Drawn>& frames, std::optional<std::size_t> in
 }
 
 /// A shot that POV-Ray can't draw by itself, put together from what it drew.
-Drawn composed(const Scene& scene, const Shot& shot, const PovShot& planned,
-               const std::vector<Drawn>& frames) {
+RenderedShot composed(const Scene& scene, const Shot& shot, const PovShot& planned,
+                      const std::vector<RenderedShot>& frames) {
   const PovParts& parts = *planned.parts;
   for (const auto index : {std::optional(parts.texture), parts.diffuse, parts.specular}) {
-    if (index && frames[*index].status != Drawn::Status::kDrawn) return frames[*index];
+    if (index && frames[*index].status != RenderedShot::Status::kDrawn) return frames[*index];
   }
-  Drawn result;
-  result.status = Drawn::Status::kDrawn;
+  RenderedShot result;
+  result.status = RenderedShot::Status::kDrawn;
   result.note =
       planned.why + ": composed from the texture, diffuse and specular images that it drew";
   Shot nearest = shot;
@@ -109,11 +109,11 @@ Drawn composed(const Scene& scene, const Shot& shot, const PovShot& planned,
   return result;
 }
 
-Drawn shown(const Scene& scene, const Shot& shot, const PovShot& planned,
-            const std::vector<Drawn>& frames) {
+RenderedShot shown(const Scene& scene, const Shot& shot, const PovShot& planned,
+                   const std::vector<RenderedShot>& frames) {
   if (planned.frame) return frames[*planned.frame];
   if (planned.parts) return composed(scene, shot, planned, frames);
-  return undrawn(1, Drawn::Status::kSkipped, planned.why).front();
+  return undrawn(1, RenderedShot::Status::kSkipped, planned.why).front();
 }
 
 class PovRay final : public Renderer {
@@ -137,13 +137,13 @@ class PovRay final : public Renderer {
     rendering.limited = true;  // PNG
     const fs::path program = find_program(programs_.povray);
     if (program.empty()) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kSkipped, remedy());
+      rendering.shots = undrawn(shots.size(), RenderedShot::Status::kSkipped, remedy());
       return rendering;
     }
     try {
       draw_in_folder(program, scene, shots, rendering);
     } catch (const std::runtime_error& e) {
-      rendering.shots = undrawn(shots.size(), Drawn::Status::kFailed, e.what());
+      rendering.shots = undrawn(shots.size(), RenderedShot::Status::kFailed, e.what());
     }
     return rendering;
   }
@@ -157,7 +157,7 @@ class PovRay final : public Renderer {
                       Rendering& rendering) const {
     const PovPlan plan = plan_povray(scene, shots, "", "  #include \"mesh.inc\"\n");
     const PrivateFolder folder;
-    std::vector<Drawn> frames;
+    std::vector<RenderedShot> frames;
     if (!plan.frames.empty()) {
       write_scenes(folder.path(), scene, shots, plan.frames);
       rendering.command = arguments(program.string(), scene.view.image, plan.frames.size());

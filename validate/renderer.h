@@ -15,7 +15,7 @@
 namespace lumaknot {
 
 /// What became of one shot.
-struct Drawn {
+struct RenderedShot {
   enum class Status { kDrawn, kFailed, kSkipped };
   Status status = Status::kSkipped;
   std::string why;   ///< when it failed or was skipped: the reason and the remedy
@@ -34,7 +34,7 @@ struct Rendering {
   double seconds = 0;                ///< wall time of its own process
   std::string log;                   ///< what that process printed
   bool limited = false;              ///< it can't keep colours outside [0, 1]: compare limited ones
-  std::vector<Drawn> shots;          ///< one for each asked for, in their order
+  std::vector<RenderedShot> shots;   ///< one for each asked for, in their order
 };
 
 /// Is it here, and which one?
@@ -79,6 +79,7 @@ std::unique_ptr<Renderer> vulkan_renderer(const Programs& programs);
 std::unique_ptr<Renderer> hlsl_renderer(const Programs& programs);
 
 /// `shots` undrawn, each for the same reason.
-std::vector<Drawn> undrawn(std::size_t shots, Drawn::Status status, const std::string& why);
+std::vector<RenderedShot> undrawn(std::size_t shots, RenderedShot::Status status,
+                                  const std::string& why);
 
 }  // namespace lumaknot

@@ -24,7 +24,7 @@ std::string report_html(const Validation& validation, const ReportHead& head);
 std::string_view outcome(const Judged& shot);
 
 /// The same of the coverage rung.
-std::string_view coverage_outcome(const Judgement& judgement);
+std::string_view coverage_outcome(const RendererResult& judgement);
 
 /// "agreed", "differed" or "nothing to compare".
 std::string_view verdict_name(Verdict verdict);

@@ -48,7 +48,7 @@ Data row_data(const Shot& shot, const std::string& renderer, const Judged& judge
   row.set("shot", shot.name);
   row.set("renderer", renderer);
   row.set("outcome", std::string(outcome(judged)));
-  row.set("drawn", judged.drawn.status == Drawn::Status::kDrawn);
+  row.set("drawn", judged.drawn.status == RenderedShot::Status::kDrawn);
   row.set("coverage", fmt::format("{} of {}", c.coverage_differs, c.covered));
   row.set("mean", number(c.mean));
   row.set("rmse", number(c.rmse));
@@ -75,7 +75,7 @@ Data claims_data(const Shot& shot, const std::string& renderer, const Claims& cl
 
 Data renderers_data(const Validation& v) {
   Data list(Data::type::list);
-  for (const Judgement& judgement : v.judgements) {
+  for (const RendererResult& judgement : v.judgements) {
     const Rendering& r = judgement.rendering;
     Data row;
     row.set("name", r.renderer);
@@ -88,7 +88,7 @@ Data renderers_data(const Validation& v) {
   return list;
 }
 
-Data coverage_row(const Judgement& judgement) {
+Data coverage_row(const RendererResult& judgement) {
   Data row;
   row.set("shot", "coverage");
   row.set("renderer", judgement.rendering.renderer);
@@ -106,9 +106,9 @@ Data coverage_row(const Judgement& judgement) {
 
 Data comparison_rows(const Validation& v) {
   Data list(Data::type::list);
-  for (const Judgement& judgement : v.judgements) list.push_back(coverage_row(judgement));
+  for (const RendererResult& judgement : v.judgements) list.push_back(coverage_row(judgement));
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    for (const Judgement& judgement : v.judgements) {
+    for (const RendererResult& judgement : v.judgements) {
       list.push_back(row_data(v.shots[s], judgement.rendering.renderer, judgement.shots[s]));
     }
   }
@@ -120,9 +120,9 @@ Data claims_rows(const Validation& v) {
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     if (v.shots[s].stage != Stage::kFinal) continue;
     list.push_back(claims_data(v.shots[s], v.own.renderer, v.own_claims[s]));
-    for (const Judgement& judgement : v.judgements) {
+    for (const RendererResult& judgement : v.judgements) {
       const Judged& judged = judgement.shots[s];
-      if (judged.drawn.status != Drawn::Status::kDrawn) continue;
+      if (judged.drawn.status != RenderedShot::Status::kDrawn) continue;
       list.push_back(claims_data(v.shots[s], judgement.rendering.renderer, judged.claims));
     }
   }
@@ -160,7 +160,7 @@ Data card_data(const Validation& v, std::size_t s, std::size_t r) {
   card.set("outcome", std::string(outcome(judged)));
   card.set("why", judged.drawn.why);
   card.set("ours_key", ours_key(v, s, r));
-  if (judged.drawn.status == Drawn::Status::kDrawn) {
+  if (judged.drawn.status == RenderedShot::Status::kDrawn) {
     card.set("png", base64(judged.pictures.theirs));
     card.set("difference", base64(judged.pictures.difference));
     card.set("max", fmt::format("{:.1e}", judged.comparison.max));

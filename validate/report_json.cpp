@@ -53,7 +53,7 @@ Json shot_json(const Shot& shot, const Judged& judged) {
   Json json{{"shot", shot.name}, {"outcome", outcome(judged)}};
   if (!judged.drawn.why.empty()) json["why"] = judged.drawn.why;
   if (!judged.drawn.note.empty()) json["note"] = judged.drawn.note;
-  if (judged.drawn.status != Drawn::Status::kDrawn) return json;
+  if (judged.drawn.status != RenderedShot::Status::kDrawn) return json;
   json["comparison"] = comparison_json(judged.comparison);
   if (shot.stage == Stage::kFinal) json["claims"] = claims_json(judged.claims);
   return json;
@@ -72,11 +72,11 @@ Json limits_json(const Limits& l) {
           {"reason", l.reason}};
 }
 
-Json first_difference_json(const Judgement& judgement) {
+Json first_difference_json(const RendererResult& judgement) {
   return judgement.first_difference.empty() ? Json() : Json(judgement.first_difference);
 }
 
-Json renderer_json(const Validation& validation, const Judgement& judgement) {
+Json renderer_json(const Validation& validation, const RendererResult& judgement) {
   const Rendering& r = judgement.rendering;
   Json shots = Json::array();
   for (std::size_t i = 0; i < judgement.shots.size(); ++i) {
@@ -111,12 +111,12 @@ Json own_json(const Validation& validation) {
 }  // namespace
 
 std::string_view outcome(const Judged& shot) {
-  if (shot.drawn.status == Drawn::Status::kSkipped) return "skipped";
-  if (shot.drawn.status == Drawn::Status::kFailed) return "failed";
+  if (shot.drawn.status == RenderedShot::Status::kSkipped) return "skipped";
+  if (shot.drawn.status == RenderedShot::Status::kFailed) return "failed";
   return shot.comparison.agrees() ? "agreed" : "differed";
 }
 
-std::string_view coverage_outcome(const Judgement& judgement) {
+std::string_view coverage_outcome(const RendererResult& judgement) {
   if (!judgement.drew_any()) return outcome(judgement.shots.front());
   return judgement.coverage_unexplained == 0 ? "agreed" : "differed";
 }
@@ -129,7 +129,7 @@ std::string_view verdict_name(Verdict verdict) {
 std::string report_json(const Validation& validation, const ReportHead& head) {
   double slowest = 0;
   Json renderers = Json::array();
-  for (const Judgement& judgement : validation.judgements) {
+  for (const RendererResult& judgement : validation.judgements) {
     slowest = std::max(slowest, judgement.rendering.seconds);
     renderers.push_back(renderer_json(validation, judgement));
   }

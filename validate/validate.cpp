@@ -52,9 +52,10 @@ struct Ours {
   }
 };
 
-Judged judge(const Ours& ours, std::size_t index, Drawn drawn, bool limited, const Limits& limits) {
+Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limited,
+             const Limits& limits) {
   Judged result;
-  if (drawn.status == Drawn::Status::kDrawn) {
+  if (drawn.status == RenderedShot::Status::kDrawn) {
     const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
     Image nearest;
     if (drawn.instead) {
@@ -73,19 +74,19 @@ Judged judge(const Ours& ours, std::size_t index, Drawn drawn, bool limited, con
 }
 
 /// Coverage is the first rung; the others follow in the shots' order.
-std::string first_difference(const std::vector<Shot>& shots, const Judgement& judgement) {
+std::string first_difference(const std::vector<Shot>& shots, const RendererResult& judgement) {
   if (judgement.coverage_unexplained > 0) return "coverage";
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Judged& judged = judgement.shots[i];
-    if (judged.drawn.status == Drawn::Status::kDrawn && !judged.comparison.agrees()) {
+    if (judged.drawn.status == RenderedShot::Status::kDrawn && !judged.comparison.agrees()) {
       return shots[i].name;
     }
   }
   return {};
 }
 
-Judgement judge_all(const Ours& ours, Rendering rendering) {
-  Judgement judgement;
+RendererResult judge_all(const Ours& ours, Rendering rendering) {
+  RendererResult judgement;
   const Limits& limits = limits_of(rendering.renderer);
   for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
     judgement.shots.push_back(
@@ -101,13 +102,13 @@ Judgement judge_all(const Ours& ours, Rendering rendering) {
   return judgement;
 }
 
-Verdict verdict_of(const std::vector<Judgement>& judgements) {
+Verdict verdict_of(const std::vector<RendererResult>& judgements) {
   bool compared = false, differs = false;
-  for (const Judgement& judgement : judgements) {
+  for (const RendererResult& judgement : judgements) {
     compared |= judgement.drew_any();
     differs |= !judgement.first_difference.empty();
     for (const Judged& shot : judgement.shots) {
-      differs |= shot.drawn.status == Drawn::Status::kFailed;
+      differs |= shot.drawn.status == RenderedShot::Status::kFailed;
     }
   }
   if (differs) return Verdict::kDiffered;
@@ -132,9 +133,9 @@ Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fr
 
 }  // namespace
 
-bool Judgement::drew_any() const {
+bool RendererResult::drew_any() const {
   return std::ranges::any_of(
-      shots, [](const Judged& shot) { return shot.drawn.status == Drawn::Status::kDrawn; });
+      shots, [](const Judged& shot) { return shot.drawn.status == RenderedShot::Status::kDrawn; });
 }
 
 std::vector<std::string> renderer_names() {
@@ -170,11 +171,11 @@ Validation validate(const ValidationJob& job, const std::function<void(const std
   std::promise<const Ours*> promise;
   const std::shared_future<const Ours*> ours_drawn = promise.get_future().share();
   std::mutex telling;
-  std::vector<std::future<Judgement>> tasks;
+  std::vector<std::future<RendererResult>> tasks;
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
-      Judgement judgement = judge_all(*ours_drawn.get(), std::move(rendering));
+      RendererResult judgement = judge_all(*ours_drawn.get(), std::move(rendering));
       const std::lock_guard lock(telling);
       if (told) told(fmt::format("{}: {:.1f} s", renderer->name(), judgement.rendering.seconds));
       return judgement;

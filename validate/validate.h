@@ -27,14 +27,14 @@ struct Pictures {
 
 /// One renderer's picture of one shot, judged.
 struct Judged {
-  Drawn drawn;            ///< its image released
+  RenderedShot drawn;     ///< its image released
   Comparison comparison;  ///< when it was drawn
   Claims claims;          ///< of final shots that were drawn
   Pictures pictures;      ///< when it was drawn
 };
 
 /// One renderer's part of the result. `shots` are in the order of Validation::shots.
-struct Judgement {
+struct RendererResult {
   Rendering rendering;  ///< its shots moved to `shots`
   std::vector<Judged> shots;
   long long coverage_differs = 0;      ///< the most of any shot: the first rung
@@ -49,10 +49,10 @@ enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
 struct Validation {
   std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
   Rendering own;
-  std::vector<Claims> own_claims;         ///< of the final shots
-  std::vector<std::string> own_pictures;  ///< PNG files, a shot each
-  std::vector<Judgement> judgements;      ///< one a renderer
-  double seconds = 0;                     ///< wall time of everything up to here
+  std::vector<Claims> own_claims;          ///< of the final shots
+  std::vector<std::string> own_pictures;   ///< PNG files, a shot each
+  std::vector<RendererResult> judgements;  ///< one a renderer
+  double seconds = 0;                      ///< wall time of everything up to here
   Verdict verdict = Verdict::kNothingToCompare;
 };
 

@@ -19,7 +19,7 @@ struct TileTarget {
 };
 
 /// One triangle of a set-up and the box of pixels of the tile in which its samples may lie.
-struct Drawn {
+struct TriangleBox {
   std::uint32_t triangle;
   int x0, y0, x1, y1;  ///< inclusive
   float least, most;   ///< inverse depths of the corners
@@ -35,7 +35,7 @@ inline bool owns_samples(std::int64_t dx, std::int64_t dy) { return dy < 0 || (d
 template <class A>
 class BlockDepths {
  public:
-  explicit BlockDepths(const Drawn& d)
+  explicit BlockDepths(const TriangleBox& d)
       : lanes_(to_floats<A>(lane_columns<A>()) * Floats<A>(double(d.slope_x)) +
                to_floats<A>(lane_rows<A>()) * Floats<A>(double(d.slope_y))),
         least_(double(d.least)),
@@ -105,7 +105,7 @@ class BlockEdges {
 /// All samples of a small or medium triangle; `one`: there is one a pixel, at its centre. Blocks
 /// and samples that it misses are not told apart: a branch that can't be foreseen takes longer.
 template <class A, class Whole, bool one>
-void draw_blocks(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile) {
+void draw_blocks(const SetUp<A>& s, std::size_t k, const TriangleBox& d, const TileTarget& tile) {
   const int x0 = d.x0 & -kBlockWidth, y0 = d.y0 & -kBlockHeight<A>;
   const std::size_t samples = one ? 1 : tile.pattern.size();
   const BlockEdges<A, Whole> edges(s, k, x0, y0);
@@ -151,7 +151,7 @@ struct Span {
 
 /// The pixels of the row `y` whose samples number `sample` are in a large triangle, exactly.
 template <class A>
-Span row_span(const SetUp<A>& s, std::size_t k, const Drawn& d, SamplePlace place, int y) {
+Span row_span(const SetUp<A>& s, std::size_t k, const TriangleBox& d, SamplePlace place, int y) {
   if (y < d.y0 || y > d.y1) return {1, 0};
   const std::int64_t px = d.x0 * kSubpixels + kSubpixels / 2 + place.x * (kSubpixels / 16);
   const std::int64_t py = y * kSubpixels + kSubpixels / 2 + place.y * (kSubpixels / 16);
@@ -166,7 +166,7 @@ Span row_span(const SetUp<A>& s, std::size_t k, const Drawn& d, SamplePlace plac
 
 /// A large triangle's samples number `sample`.
 template <class A>
-void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarget& tile,
+void draw_large(const SetUp<A>& s, std::size_t k, const TriangleBox& d, const TileTarget& tile,
                 std::size_t sample) {
   const SamplePlace place = tile.pattern[sample];
   const BlockDepths<A> depths(d);
@@ -197,9 +197,10 @@ void draw_large(const SetUp<A>& s, std::size_t k, const Drawn& d, const TileTarg
 
 /// The part of a triangle's box that lies in the tile; empty where x0 > x1 or y0 > y1.
 template <class A>
-Drawn drawn_part(const SetUp<A>& s, std::size_t k, std::uint32_t triangle, const TileTarget& tile) {
+TriangleBox drawn_part(const SetUp<A>& s, std::size_t k, std::uint32_t triangle,
+                       const TileTarget& tile) {
   const bool centres = tile.pattern.size() == 1;
-  Drawn d{};
+  TriangleBox d{};
   d.triangle = triangle;
   d.x0 = std::max(tile.x0, first_pixel<A>(s.least[0][k], centres));
   d.y0 = std::max(tile.y0, first_pixel<A>(s.least[1][k], centres));
@@ -226,7 +227,7 @@ void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull
   const bool small = within(kSmall), one = tile.pattern.size() == 1;
   const std::int64_t area = small ? s.area[k] : set_up_large<A>(s, k);
   if (area == 0 || (cull && area > 0)) return;
-  const Drawn d = drawn_part<A>(s, k, triangle, tile);
+  const TriangleBox d = drawn_part<A>(s, k, triangle, tile);
   if (d.x0 > d.x1 || d.y0 > d.y1) return;
   if (small && one) return draw_blocks<A, std::int32_t, true>(s, k, d, tile);
   if (small) return draw_blocks<A, std::int32_t, false>(s, k, d, tile);

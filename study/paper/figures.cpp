@@ -52,7 +52,7 @@ FigureImage their_image(const std::string& shot, const std::string& renderer,
                     .outcome = std::string(outcome(judged)),
                     .why = judged.drawn.why,
                     .note = judged.drawn.note};
-  if (judged.drawn.status != Drawn::Status::kDrawn) return image;
+  if (judged.drawn.status != RenderedShot::Status::kDrawn) return image;
   image.file = figure_file(shot, renderer);
   image.mean = judged.comparison.mean;
   image.agree = agreeing_share(judged.comparison);
@@ -70,14 +70,14 @@ FigurePicture picture_of(const Validation& validation, std::size_t shot) {
                             .outcome = {},
                             .why = {},
                             .note = {}});
-  for (const Judgement& judgement : validation.judgements) {
+  for (const RendererResult& judgement : validation.judgements) {
     picture.images.push_back(
         their_image(name, judgement.rendering.renderer, judgement.shots[shot]));
   }
   return picture;
 }
 
-FigureRenderer renderer_of(const Judgement& judgement) {
+FigureRenderer renderer_of(const RendererResult& judgement) {
   const Rendering& r = judgement.rendering;
   return {.name = r.renderer,
           .version = r.version,
@@ -119,7 +119,7 @@ LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Pro
     if (validation.shots[i].stage != Stage::kFinal) continue;
     result.pictures.push_back(picture_of(validation, i));
   }
-  for (const Judgement& judgement : validation.judgements) {
+  for (const RendererResult& judgement : validation.judgements) {
     result.renderers.push_back(renderer_of(judgement));
   }
   return result;

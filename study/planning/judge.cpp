@@ -130,7 +130,7 @@ void Judge::take_means(const Progress& progress) {
 /// The pixels beyond the tolerance in place, as a heap; counts those that are covered.
 std::vector<Judge::Suspect> Judge::suspects(const Image& picture, PixelErrors& result) const {
   std::vector<Suspect> far;
-  Judgement& judgement = result.judgement;
+  ToleranceResult& judgement = result.judgement;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     if (picture.pixels[i].coverage == 0 && truth_.pixels[i].coverage == 0) continue;
     ++judgement.covered;
@@ -176,7 +176,7 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
   constexpr std::size_t kChunk = 64;
   const Grid<float> none(picture.width, picture.height);
   PixelErrors result{{}, none, none};
-  Judgement& judgement = result.judgement;
+  ToleranceResult& judgement = result.judgement;
   std::vector<Suspect> far = suspects(picture, result);
   double worst = 0;  // of those that fail
   while (!far.empty()) {
@@ -204,7 +204,9 @@ PixelErrors Judge::examine(const Image& picture, bool all) const {
   return result;
 }
 
-Judgement Judge::judge(const Image& picture) const { return examine(picture, false).judgement; }
+ToleranceResult Judge::judge(const Image& picture) const {
+  return examine(picture, false).judgement;
+}
 
 PixelErrors Judge::judge_all(const Image& picture) const { return examine(picture, true); }
 

@@ -13,7 +13,7 @@ namespace lumaknot {
 
 /// How a picture stands to the truth. Errors are of the largest channel, coverage among them, of
 /// every pixel that the picture or the truth covers, unrounded, colours limited to [0, 1].
-struct Judgement {
+struct ToleranceResult {
   /// The largest: in place where that is within the tolerance, else from what the first look about
   /// the pixel finds that shows it to be, else from what a full one does.
   double error = 0;
@@ -31,7 +31,7 @@ inline constexpr long long kFar = 16;
 
 /// A judgement pixel by pixel.
 struct PixelErrors {
-  Judgement judgement;
+  ToleranceResult judgement;
   Grid<float> errors, in_place;
 };
 
@@ -48,7 +48,7 @@ class Judge {
 
   /// Stops early where the tolerance is missed by far: when more pixels than kFar fail and no other
   /// can be worse, so that `error` is that of all.
-  Judgement judge(const Image& picture) const;
+  ToleranceResult judge(const Image& picture) const;
 
   PixelErrors judge_all(const Image& picture) const;
 

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostError = 1e9;  // what is no number is kept as this
 
-Json judgement_json(const Judgement& j) {
+Json judgement_json(const ToleranceResult& j) {
   return {{"error", std::min(j.error, kMostError)},
           {"in_place", std::min(j.in_place, kMostError)},
           {"mean_in_place", std::min(j.mean_in_place, kMostError)},
@@ -24,7 +24,7 @@ Json judgement_json(const Judgement& j) {
           {"met", j.met}};
 }
 
-Judgement judgement_from(const Json& json) {
+ToleranceResult judgement_from(const Json& json) {
   return {json.at("error"),   json.at("in_place"), json.at("mean_in_place"), json.at("covered"),
           json.at("shifted"), json.at("hidden"),   json.at("failing"),       json.at("met")};
 }

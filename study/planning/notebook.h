@@ -24,15 +24,15 @@ class Notebook {
 
   /// What it holds under that name; what is not there is made by `measure`, and kept.
   template <class F>
-  const Judgement& judgement(const std::string& name, const F& measure) {
+  const ToleranceResult& judgement(const std::string& name, const F& measure) {
     const auto known = judgements_.find(name);
     if (known != judgements_.end()) return known->second;
-    const Judgement& made = judgements_.emplace(name, measure()).first->second;
+    const ToleranceResult& made = judgements_.emplace(name, measure()).first->second;
     keep_at_times();
     return made;
   }
 
-  const std::map<std::string, Judgement>& judgements() const { return judgements_; }
+  const std::map<std::string, ToleranceResult>& judgements() const { return judgements_; }
 
   /// The rounds timed so far.
   const std::vector<FrameRound>& rounds(const std::string& name) { return rounds_[name]; }
@@ -51,7 +51,7 @@ class Notebook {
   std::filesystem::path file_;
   std::string key_;
   bool started_anew_ = false;
-  std::map<std::string, Judgement> judgements_;
+  std::map<std::string, ToleranceResult> judgements_;
   std::map<std::string, std::vector<FrameRound>> rounds_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };

@@ -26,7 +26,7 @@ struct PlanJob {
 struct PlanChoice {
   Method method;
   PredictedError predicted;
-  Judgement judgement;
+  ToleranceResult judgement;
   double milliseconds = 0;  ///< 0: not timed
 };
 
@@ -44,7 +44,7 @@ struct Plan {
   int considered = 0;               ///< choices that there are
   SceneSpec lean;                   ///< the smaller scene, to be drawn as render_arguments() tell
   double reference_milliseconds = 0, fast_milliseconds = 0;  ///< before, one thread
-  Judgement fast;                         ///< of the scene as --fast draws it, before
+  ToleranceResult fast;                   ///< of the scene as --fast draws it, before
   std::optional<PlanChoice> best_of_all;  ///< of the exhaustive search
   double time_to_best = 0;  ///< the chosen time over that of best_of_all, the same rounds
   Image before, after;      ///< the reference, the plan's picture

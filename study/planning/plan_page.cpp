@@ -87,7 +87,7 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("color", fmt::format("{:.4g}", plan.tolerance.color));
   page.set("shift", fmt::format("{:.4g}", plan.tolerance.shift));
   page.set("truth", plan.area ? "the mean over each pixel" : "the colour at each pixel's centre");
-  const Judgement& judged = plan.chosen.judgement;
+  const ToleranceResult& judged = plan.chosen.judgement;
   page.set("error", fmt::format("{:.4f}", judged.error));
   page.set("in_place", fmt::format("{:.3f}", judged.in_place));
   page.set("mean", number(judged.mean_in_place));

@@ -29,7 +29,7 @@ Json predicted_json(const PredictedError& p) {
           {"precision", p.precision}};
 }
 
-Json judgement_json(const Judgement& j) {
+Json judgement_json(const ToleranceResult& j) {
   return {{"error", j.error},    {"in_place", j.in_place},       {"mean_in_place", j.mean_in_place},
           {"pixels", j.covered}, {"beyond_in_place", j.shifted}, {"hidden", j.hidden},
           {"failing", j.failing}};
@@ -81,7 +81,7 @@ std::string dropped_text(const Plan& plan) {
 
 /// What was needed of the colour and of the place.
 std::string judgement_text(const Plan& plan) {
-  const Judgement& j = plan.chosen.judgement;
+  const ToleranceResult& j = plan.chosen.judgement;
   std::string text = fmt::format(
       "  in place {} of {} pixels ({:.3g} %) are beyond {:.2g}: by {:.2g} at most, the mean of all "
       "is {:.2g}\n",

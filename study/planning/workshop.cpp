@@ -70,7 +70,7 @@ Image Workshop::draw_beside() const {
   return image;
 }
 
-const Judgement& Workshop::judgement(const Method& method) {
+const ToleranceResult& Workshop::judgement(const Method& method) {
   return notebook_.judgement(method_name(method), [&] {
     check_interrupted();
     return judge_.judge(draw(method));

@@ -25,7 +25,7 @@ class Workshop {
 
   Image draw(const Method& method);
 
-  const Judgement& judgement(const Method& method);
+  const ToleranceResult& judgement(const Method& method);
 
   /// The scene as --fast draws it.
   Image draw_beside() const;

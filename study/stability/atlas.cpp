@@ -12,7 +12,7 @@
 namespace lumaknot {
 namespace {
 
-std::vector<Measured> measure(const Measure& measure, const std::vector<double>& values,
+std::vector<Measured> measure(const Measurement& measure, const std::vector<double>& values,
                               const std::function<void()>& tick) {
   std::vector<Measured> result;
   for (const double x : values) {
@@ -54,8 +54,8 @@ void add_pictures(const Region& region, const AtlasOptions& options, Entry& entr
 
 }  // namespace
 
-std::vector<Stretch> holding_again(const Entry& entry) {
-  std::vector<Stretch> all = stretches(entry.sweep, entry.limit, true);
+std::vector<SweepInterval> holding_again(const Entry& entry) {
+  std::vector<SweepInterval> all = stretches(entry.sweep, entry.limit, true);
   if (!all.empty()) all.erase(all.begin());  // a sweep begins where the method holds
   return all;
 }
@@ -124,9 +124,9 @@ std::string data_block(const char* name, const std::vector<Measured>& all, bool 
 /// A shade on each stretch that fails. They have borders, so that a lone value is a line.
 std::string shades(const Entry& entry) {
   std::string text;
-  std::vector<Stretch> failing = stretches(entry.sweep, entry.limit, false);
+  std::vector<SweepInterval> failing = stretches(entry.sweep, entry.limit, false);
   if (!failing.empty()) failing.front().from = entry.boundary.fails.x;
-  for (const Stretch& s : failing) {
+  for (const SweepInterval& s : failing) {
     text += fmt::format(
         "set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fillcolor rgb "
         "'#fbe3df' fillstyle solid border linecolor rgb '#fbe3df'\n",

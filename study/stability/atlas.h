@@ -40,7 +40,7 @@ struct AtlasOptions {
 };
 
 /// Where swept values beyond the boundary hold again.
-std::vector<Stretch> holding_again(const Entry& entry);
+std::vector<SweepInterval> holding_again(const Entry& entry);
 
 /// Sweeps the region, finds its boundary and draws it. `tick` is called at each value with the
 /// finished share in [0, 1]; what it throws ends the work.

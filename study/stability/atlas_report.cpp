@@ -54,7 +54,7 @@ Json entry_json(const Entry& e) {
   json["holds"] = pair(e.boundary.holds);
   json["fails"] = pair(e.boundary.fails);
   json["holds_again"] = Json::array();
-  for (const Stretch& s : holding_again(e)) json["holds_again"].push_back({s.from, s.to});
+  for (const SweepInterval& s : holding_again(e)) json["holds_again"].push_back({s.from, s.to});
   json["remedy_worst"] = number(e.guarded_worst);
   json["sweep"] = pairs(e.sweep);
   json["remedy_sweep"] = pairs(e.guarded);
@@ -144,7 +144,7 @@ std::string boundary_text(const Boundary& b) {
 std::string again_text(const Entry& entry) {
   constexpr int kDigits = 4;
   std::string text;
-  for (const Stretch& s : holding_again(entry)) {
+  for (const SweepInterval& s : holding_again(entry)) {
     text += text.empty() ? "holds again " : " and ";
     const bool rising = s.to > s.from;
     text += s.from == s.to ? fmt::format("at {:.{}g}", s.from, kDigits)

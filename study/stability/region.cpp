@@ -25,8 +25,9 @@ std::vector<double> swept_values(const Sweep& sweep, int steps) {
   return values;
 }
 
-std::vector<Stretch> stretches(const std::vector<Measured>& sweep, double limit, bool holding) {
-  std::vector<Stretch> all;
+std::vector<SweepInterval> stretches(const std::vector<Measured>& sweep, double limit,
+                                     bool holding) {
+  std::vector<SweepInterval> all;
   bool inside = false;
   for (const Measured& m : sweep) {
     const bool before = inside;

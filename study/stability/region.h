@@ -19,14 +19,14 @@ struct Sweep {
 };
 
 /// What a method or its remedy comes to at a value of the swept parameter.
-using Measure = std::function<double(double x)>;
+using Measurement = std::function<double(double x)>;
 /// A picture of it, side x side pixels. Pixels that are no numbers stay so.
 using Sketch = std::function<Image(double x, int side)>;
 
 /// Another quantity that is told beside the error.
 struct Quantity {
   std::string name;  ///< with its unit
-  Measure measure;
+  Measurement measure;
 };
 
 /// A method and where it fails: where its error is above `limit`, or no number.
@@ -37,8 +37,8 @@ struct Region {
   Sweep sweep;
   std::string measured;  ///< what the error is, with its unit
   double limit = 0;
-  Measure error;
-  Measure
+  Measurement error;
+  Measurement
       guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
   std::vector<Quantity> also;     ///< told at the values that are shown
   Sketch sketch, guarded_sketch;  ///< or nothing
@@ -62,12 +62,13 @@ struct Measured {
 };
 
 /// Neighbouring swept values that all hold or all fail, from the first to the last of them.
-struct Stretch {
+struct SweepInterval {
   double from = 0, to = 0;
 };
 
 /// The stretches of `sweep` whose errors are within `limit`, or the others when not `holding`.
-std::vector<Stretch> stretches(const std::vector<Measured>& sweep, double limit, bool holding);
+std::vector<SweepInterval> stretches(const std::vector<Measured>& sweep, double limit,
+                                     bool holding);
 
 /// Two neighbouring values between which the method breaks.
 struct Boundary {

@@ -51,14 +51,19 @@ def violations(root):
                            f"{match[1]}; besides itself it may include: {may}")
 
 
-def main(arguments):
+def source_root(arguments, usage):
+    """The one argument, SOURCE_ROOT; exits where it is none."""
     if len(arguments) != 1:
-        sys.exit(__doc__)
+        sys.exit(usage)
     root = Path(arguments[0])
     missing = [folder for folder in ("scene", "render", "exporters") if not (root / folder).is_dir()]
     if missing:  # a wrong root would pass, having nothing to check
         sys.exit(f"{root} is not the source root: it has no {missing[0]}/")
-    found = list(violations(root))
+    return root
+
+
+def main(arguments):
+    found = list(violations(source_root(arguments, __doc__)))
     print("\n".join(found), end="\n" if found else "")
     return 1 if found else 0
 

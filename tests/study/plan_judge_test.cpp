@@ -47,7 +47,7 @@ RgbaPixel& inner_pixel(Image& image) {
 TEST(Judge, the_truth_itself_meets_everything) {
   const SceneSpec spec = small_spec(48);
   const Judge judge(made(spec), knot_of(spec), {1e-6, 0});
-  const Judgement judgement = judge.judge(moved_truth(spec, 0));
+  const ToleranceResult judgement = judge.judge(moved_truth(spec, 0));
   EXPECT_TRUE(judgement.met);
   EXPECT_LT(judgement.error, 1e-7);  // the truth is kept in float
   EXPECT_GT(judgement.covered, 100);
@@ -64,7 +64,7 @@ TEST(Judge, a_picture_moved_within_the_shift_is_met_and_beyond_it_is_not) {
 TEST(Judge, without_a_shift_no_moved_edge_is_met) {
   const SceneSpec spec = small_spec(48);
   const Judge judge(made(spec), knot_of(spec), {kStep, 0});
-  const Judgement judgement = judge.judge(moved_truth(spec, 0.1));
+  const ToleranceResult judgement = judge.judge(moved_truth(spec, 0.1));
   EXPECT_FALSE(judgement.met);
   EXPECT_EQ(judgement.error, judgement.in_place);
 }
@@ -132,7 +132,7 @@ TEST(Judge, what_is_hidden_by_less_than_the_shift_counts_and_is_told_apart) {
   const Judge judge(made(spec), knot_of(spec), {kStep, 0.25});
   const Method method{
       200, 24, Rate::kPixel, Space::kRgb, Formula::kMatrices, Number::kFloat, Filter::kBilinear, 1};
-  const Judgement judgement = judge.judge(MethodRenderer(method, made(spec)).image());
+  const ToleranceResult judgement = judge.judge(MethodRenderer(method, made(spec)).image());
   EXPECT_TRUE(judgement.met);
   EXPECT_GT(judgement.hidden, 0);
   EXPECT_LT(judgement.hidden, judgement.shifted / 500);

@@ -73,8 +73,8 @@ Region waves() {
 TEST(Stretches, are_of_one_kind) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Measured> sweep{{5, 0}, {4, 1}, {3, none}, {2, 2}, {1, 1}, {0, 2}};
-  const std::vector<Stretch> holding = stretches(sweep, 1, true),
-                             failing = stretches(sweep, 1, false);
+  const std::vector<SweepInterval> holding = stretches(sweep, 1, true),
+                                   failing = stretches(sweep, 1, false);
   ASSERT_EQ(holding.size(), 2u);
   EXPECT_EQ(holding[0].from, 5);
   EXPECT_EQ(holding[0].to, 4);

@@ -41,9 +41,9 @@ TEST(Validate, without_any_renderer_there_is_nothing_to_compare) {
   const Validation v = validate_with("/nonexistent/povray", {});
   EXPECT_EQ(v.verdict, Verdict::kNothingToCompare);
   ASSERT_EQ(v.judgements.size(), 5u) << "cycles, povray, eevee, gl, vulkan";
-  for (const Judgement& judgement : v.judgements) {
+  for (const RendererResult& judgement : v.judgements) {
     for (const Judged& shot : judgement.shots) {
-      EXPECT_EQ(shot.drawn.status, Drawn::Status::kSkipped);
+      EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kSkipped);
       EXPECT_THAT(shot.drawn.why, HasSubstr("is not here; ")) << "the reason and the remedy";
     }
   }
@@ -53,7 +53,7 @@ TEST(Validate, does_not_believe_a_program_that_ends_well_and_draws_nothing) {
   const PrivateFolder folder;
   const Validation v = validate_with(script(folder, "povray", "exit 0"), {"povray"});
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
-  EXPECT_EQ(v.judgements.at(0).shots.at(0).drawn.status, Drawn::Status::kFailed);
+  EXPECT_EQ(v.judgements.at(0).shots.at(0).drawn.status, RenderedShot::Status::kFailed);
 }
 
 TEST(Validate, tells_the_last_line_of_a_program_that_fails) {

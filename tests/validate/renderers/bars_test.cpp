@@ -18,9 +18,9 @@ Programs programs() {
   return result;
 }
 
-const Judgement& judgement_of(const Validation& v, std::string_view renderer) {
+const RendererResult& judgement_of(const Validation& v, std::string_view renderer) {
   return *std::ranges::find_if(
-      v.judgements, [&](const Judgement& j) { return j.rendering.renderer == renderer; });
+      v.judgements, [&](const RendererResult& j) { return j.rendering.renderer == renderer; });
 }
 
 const Judged& judged(const Validation& v, std::string_view renderer, std::string_view shot) {
@@ -48,11 +48,11 @@ TEST_P(BuiltinScene, agrees_in_every_renderer_within_the_promised_bars) {
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
   for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee", "GL", "Vulkan"}) {
     const bool snaps = renderer != "Cycles" && renderer != "POV-Ray";
-    const Judgement& judgement = judgement_of(v, renderer);
+    const RendererResult& judgement = judgement_of(v, renderer);
     ASSERT_TRUE(judgement.drew_any()) << renderer << ": " << judgement.rendering.log;
     EXPECT_LE(judgement.coverage_differs, snaps ? 5 : 0) << renderer;
     for (const Judged& shot : judgement.shots) {
-      EXPECT_EQ(shot.drawn.status, Drawn::Status::kDrawn) << renderer << shot.drawn.why;
+      EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kDrawn) << renderer << shot.drawn.why;
       EXPECT_EQ(shot.comparison.classes[std::size_t(PixelClass::kUnexplained)], 0) << renderer;
     }
   }
@@ -124,7 +124,7 @@ TEST(OddScene, agrees_in_every_renderer) {
   job.scene.view.material = material;
   job.finals.back().material.luma_offset = 0.07;
   const Validation v = validate(job);
-  for (const Judgement& judgement : v.judgements) {
+  for (const RendererResult& judgement : v.judgements) {
     EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
     EXPECT_TRUE(judgement.drew_any()) << judgement.rendering.log;
     for (const Judged& shot : judgement.shots) {
@@ -159,7 +159,7 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(Material{}, m.name)});
   }
   const Validation v = validate(job);
-  for (const Judgement& judgement : v.judgements) {
+  for (const RendererResult& judgement : v.judgements) {
     EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
     for (const Judged& shot : judgement.shots) {
       EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());

@@ -99,8 +99,8 @@ class RendererOfBlender : public ::testing::TestWithParam<Case> {
     const Rendering rendering = renderer_->draw(scene, shots);
     ASSERT_EQ(rendering.shots.size(), shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
-      const Drawn& drawn = rendering.shots[i];
-      ASSERT_EQ(drawn.status, Drawn::Status::kDrawn) << shots[i].name << ": " << drawn.why;
+      const RenderedShot& drawn = rendering.shots[i];
+      ASSERT_EQ(drawn.status, RenderedShot::Status::kDrawn) << shots[i].name << ": " << drawn.why;
       const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
                                    drawn.image, rendering.limited, limits_of(renderer_->name()));
       EXPECT_GT(c.inside, 1000) << shots[i].name;
@@ -136,10 +136,10 @@ TEST_P(RendererOfBlender, skips_light_at_vertices_with_its_reason_and_draws_the_
   const Rendering rendering = renderer_->draw(
       scene_in_three_lights(), std::vector{shot_of("rgb-phong"), vertex, shot_of("yiq-phong")});
   ASSERT_EQ(rendering.shots.size(), 3u);
-  EXPECT_EQ(rendering.shots[1].status, Drawn::Status::kSkipped);
+  EXPECT_EQ(rendering.shots[1].status, RenderedShot::Status::kSkipped);
   EXPECT_THAT(rendering.shots[1].why, HasSubstr("the nearest is rate \"pixel\""));
   for (const std::size_t i : {0u, 2u}) {
-    EXPECT_EQ(rendering.shots[i].status, Drawn::Status::kDrawn) << rendering.shots[i].why;
+    EXPECT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn) << rendering.shots[i].why;
   }
   EXPECT_EQ(renderer_->draw(scene_in_three_lights(), std::vector{vertex}).command.size(), 0u)
       << "nothing is left to run";

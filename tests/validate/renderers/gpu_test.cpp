@@ -66,7 +66,7 @@ TEST_P(EmittedShaders, draw_figure2_as_we_do) {
   // it a pixel must be at a texel's edge or have moved by so much.
   const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 2e-4, .reason = ""};
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    ASSERT_EQ(rendering.shots[i].status, Drawn::Status::kDrawn) << rendering.shots[i].why;
+    ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn) << rendering.shots[i].why;
     const Image ours = shade_all(scene, shots[i], fragments);
     const Image& theirs = rendering.shots[i].image;
     const Comparison c = compare(reference, shots[i], ours, theirs, false, limits);
@@ -123,7 +123,7 @@ TEST_P(EmittedShaders, draw_every_formula_gamut_rate_and_light_as_we_do) {
   // float32 roundings of 1e-5 apart, times the texture's steps where a sample moved within a texel.
   const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    ASSERT_EQ(rendering.shots[i].status, Drawn::Status::kDrawn)
+    ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn)
         << shots[i].name << ": " << rendering.shots[i].why;
     const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
                                  rendering.shots[i].image, false, limits);

@@ -24,7 +24,7 @@ TEST(OslRenderer, without_its_python_is_missing_and_skips_with_the_remedy) {
       renderer->draw(testing::small_scene(), std::vector{testing::final_shot("phong")});
   EXPECT_EQ(rendering.renderer, "OSL");
   ASSERT_EQ(rendering.shots.size(), 1u);
-  EXPECT_EQ(rendering.shots[0].status, Drawn::Status::kSkipped);
+  EXPECT_EQ(rendering.shots[0].status, RenderedShot::Status::kSkipped);
   EXPECT_THAT(rendering.shots[0].why, HasSubstr("scripts/install-extras osl"));
 }
 
@@ -63,10 +63,10 @@ TEST_F(InstalledOsl, shader_that_does_not_compile_fails_its_shot_alone_in_the_co
                            .shaders = ShotShaders::kOsl,
                            .time_limit = std::chrono::seconds(100)};
   const Rendering rendering = draw_package(blender, package, scene.view, shots);
-  EXPECT_EQ(rendering.shots[0].status, Drawn::Status::kFailed);
+  EXPECT_EQ(rendering.shots[0].status, RenderedShot::Status::kFailed);
   EXPECT_THAT(rendering.shots[0].why, HasSubstr("scene.rgb-phong.osl"));
   EXPECT_THAT(rendering.shots[0].why, HasSubstr("'nowhere' was not declared"));
-  EXPECT_EQ(rendering.shots[1].status, Drawn::Status::kDrawn) << rendering.shots[1].why;
+  EXPECT_EQ(rendering.shots[1].status, RenderedShot::Status::kDrawn) << rendering.shots[1].why;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ void expect_agreement(const Validation& v) {
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
   for (std::size_t i = 0; i < v.shots.size(); ++i) {
     const Judged& shot = v.judgements.at(0).shots.at(i);
-    EXPECT_EQ(shot.drawn.status, Drawn::Status::kDrawn) << v.shots[i].name << shot.drawn.why;
+    EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kDrawn) << v.shots[i].name << shot.drawn.why;
     EXPECT_THAT(shot.comparison.exceeded, IsEmpty()) << v.shots[i].name;
     EXPECT_GT(shot.comparison.inside, 1000) << v.shots[i].name;
     EXPECT_LT(shot.comparison.p9999_unclassed, 1e-4) << v.shots[i].name;
@@ -181,10 +181,10 @@ TEST(PovMaterial, what_can_not_be_composed_is_skipped_with_the_nearest_thing) {
   finals.back().material.rate = Rate::kVertex;
   const Validation v = run(lit_by({PointLight{}}), finals);
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
-  EXPECT_EQ(judged(v, "rgb-phong").drawn.status, Drawn::Status::kDrawn);
+  EXPECT_EQ(judged(v, "rgb-phong").drawn.status, RenderedShot::Status::kDrawn);
   for (const auto& [shot, nearest] : {std::pair{"metal", "material.model \"blinn-phong\""},
                                       std::pair{"gouraud", "material.rate \"pixel\""}}) {
-    EXPECT_EQ(judged(v, shot).drawn.status, Drawn::Status::kSkipped) << shot;
+    EXPECT_EQ(judged(v, shot).drawn.status, RenderedShot::Status::kSkipped) << shot;
     EXPECT_THAT(judged(v, shot).drawn.why, HasSubstr(nearest));
   }
 }
@@ -194,9 +194,9 @@ TEST(PovMaterial, one_frame_alone_is_drawn) {
   Shot shot{"gouraud", Stage::kFinal, formula("rgb-phong")};
   shot.material.rate = Rate::kVertex;
   const Validation v = run(testing::small_scene(), {shot});
-  EXPECT_EQ(judged(v, "texture").drawn.status, Drawn::Status::kDrawn);
+  EXPECT_EQ(judged(v, "texture").drawn.status, RenderedShot::Status::kDrawn);
   for (const char* skipped : {"diffuse", "specular", "gouraud"}) {
-    EXPECT_EQ(judged(v, skipped).drawn.status, Drawn::Status::kSkipped) << skipped;
+    EXPECT_EQ(judged(v, skipped).drawn.status, RenderedShot::Status::kSkipped) << skipped;
   }
 }
 
@@ -206,8 +206,8 @@ TEST(PovMaterial, light_too_bright_for_terms_in_16_bits_is_skipped_where_it_is_c
   const Validation v =
       run(lit_by({glaring}), {{"rgb-phong", Stage::kFinal, formula("rgb-phong")},
                               {"cielab-phong", Stage::kFinal, formula("cielab-phong")}});
-  EXPECT_EQ(judged(v, "rgb-phong").drawn.status, Drawn::Status::kDrawn);
-  EXPECT_EQ(judged(v, "cielab-phong").drawn.status, Drawn::Status::kSkipped);
+  EXPECT_EQ(judged(v, "rgb-phong").drawn.status, RenderedShot::Status::kDrawn);
+  EXPECT_EQ(judged(v, "cielab-phong").drawn.status, RenderedShot::Status::kSkipped);
   EXPECT_THAT(judged(v, "cielab-phong").drawn.why, HasSubstr("intensity"));
 }
 
