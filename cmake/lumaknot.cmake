@@ -1,7 +1,7 @@
 # What every target of lumaknot shares.
 add_library(lumaknot_options INTERFACE)
 target_include_directories(lumaknot_options INTERFACE ${PROJECT_SOURCE_DIR})
-# One rounding a written operation: the same bytes whatever the compiler contracts.
+# One rounding per written operation: the same bytes whatever the compiler contracts.
 target_compile_options(lumaknot_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                                                   -Wconversion -Wno-sign-conversion -ffp-contract=off)
 # GCC 12.2 drops the rounding of double(float(x)) where it makes two at once: {float(x), float(y)} as
@@ -9,23 +9,43 @@ target_compile_options(lumaknot_options INTERFACE -Wall -Wextra -Wpedantic -Wsha
 target_compile_options(lumaknot_options INTERFACE -fno-tree-slp-vectorize)
 if(LUMAKNOT_WARNINGS_AS_ERRORS)
   # GCC 12 suspects vectors in OpenMesh's headers at -O1.
-  target_compile_options(lumaknot_options INTERFACE -Werror -Wno-error=maybe-uninitialized)
+  target_compile_options(
+    lumaknot_options INTERFACE -Werror $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>)
 endif()
 if(LUMAKNOT_SANITIZE)
   # GCC 12 takes the sanitizers' own checks for uses of uninitialised values.
   target_compile_options(
     lumaknot_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                               -Wno-maybe-uninitialized)
+                               $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(lumaknot_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# lumaknot_library(NAME PUBLIC libs... PRIVATE libs...): the folder NAME as lumaknot::NAME.
+# lumaknot_optimize(TARGET LEVEL): Release's level for code that is not worth -O3. The results are the same,
+# as sums are rounded alike at every level.
+function(lumaknot_optimize target level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+endfunction()
+
+# lumaknot_unity(TARGET): its files are compiled a dozen at a time. Names of unnamed namespaces must
+# differ within the target.
+function(lumaknot_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${LUMAKNOT_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+endfunction()
+
+# lumaknot_library(NAME [UNITY] [OPTIMIZE level] PUBLIC libs... PRIVATE libs...): the folder NAME as
+# lumaknot::NAME.
 function(lumaknot_library name)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "OPTIMIZE" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
   add_library(lumaknot_${name} STATIC ${sources})
   add_library(lumaknot::${name} ALIAS lumaknot_${name})
   target_link_libraries(lumaknot_${name} PUBLIC lumaknot_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if(ARG_OPTIMIZE)
+    lumaknot_optimize(lumaknot_${name} ${ARG_OPTIMIZE})
+  endif()
+  if(ARG_UNITY)
+    lumaknot_unity(lumaknot_${name})
+  endif()
 endfunction()
 
 # lumaknot_embed(target file symbol): the text of `file` as lumaknot::embedded::symbol().

@@ -47,7 +47,7 @@ class HeaderReader {
       } else if (keyword == "end_header") {
         break;
       } else if (keyword != "comment" && keyword != "obj_info") {
-        text_.fail(fmt::format("{} is no word of a PLY header; {}", quoted(keyword), kRemedy));
+        text_.fail(fmt::format("{} is no word of a PLY header; {}", in_quotes(keyword), kRemedy));
       }
     }
     if (!has_format) text_.fail(fmt::format("the header tells no format; {}", kRemedy));
@@ -60,7 +60,7 @@ class HeaderReader {
                std::string_view what) const {
     const auto found = std::ranges::find(table, word, [](const auto& row) { return row.first; });
     if (found != std::end(table)) return found->second;
-    text_.fail(fmt::format("{} {} is not known; {}", what, quoted(word), kRemedy));
+    text_.fail(fmt::format("{} {} is not known; {}", what, in_quotes(word), kRemedy));
   }
 
   void property() {

@@ -32,14 +32,15 @@ class PlyText {
     const std::string_view word = text_.word();
     const auto number = number_of(word);
     if (number) return *number;
-    text_.fail(word.empty() ? "a number is missing here; export the mesh again"
-                            : fmt::format("{} is no number; export the mesh again", quoted(word)));
+    text_.fail(word.empty()
+                   ? "a number is missing here; export the mesh again"
+                   : fmt::format("{} is no number; export the mesh again", in_quotes(word)));
   }
   void end_element() {
     const std::string_view word = text_.word();
     if (word.empty()) return;
     text_.fail(
-        fmt::format("{} after the element's last number; export the mesh again", quoted(word)));
+        fmt::format("{} after the element's last number; export the mesh again", in_quotes(word)));
   }
   void finish() {
     if (text_.next_line()) {

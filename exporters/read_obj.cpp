@@ -43,7 +43,7 @@ class ObjReader {
     if (second.empty()) return {u, 0};
     const auto v = number_of(second);
     if (!v || !is_usable(*v)) {
-      text_.fail(fmt::format("{} is no finite number; export the mesh again", quoted(second)));
+      text_.fail(fmt::format("{} is no finite number; export the mesh again", in_quotes(second)));
     }
     return {u, *v};
   }
@@ -70,7 +70,7 @@ class ObjReader {
       const std::size_t slash = rest.find('/');
       parts[i] = rest.substr(0, slash);
       if (slash == rest.npos) break;
-      if (i == 2) text_.fail(fmt::format("{} is no corner of a face", quoted(word)));
+      if (i == 2) text_.fail(fmt::format("{} is no corner of a face", in_quotes(word)));
       rest.remove_prefix(slash + 1);
     }
     PolygonCorner corner;
@@ -84,13 +84,14 @@ class ObjReader {
   std::uint32_t index(std::string_view word, std::size_t size, std::string_view what) const {
     const auto number = integer_of(word);
     if (!number) {
-      text_.fail(fmt::format("{} is no number of a {}; export the mesh again", quoted(word), what));
+      text_.fail(
+          fmt::format("{} is no number of a {}; export the mesh again", in_quotes(word), what));
     }
     const bool is_there = *number > 0 ? *number < std::int64_t(kNoIndex)
                                       : *number < 0 && *number >= -std::int64_t(size);
     if (!is_there) {
       text_.fail(fmt::format("{} {} is not there, {} come before; export the mesh again", what,
-                             quoted(word), size));
+                             in_quotes(word), size));
     }
     return std::uint32_t(*number > 0 ? *number - 1 : std::int64_t(size) + *number);
   }

@@ -46,9 +46,10 @@ class OffReader {
     has("C");
     has_normals_ = has("N");
     if (rest == "OFF") return;
-    text_.fail(rest.ends_with("OFF")
-                   ? fmt::format("{} has coordinates that are not 3; write OFF", quoted(word))
-                   : fmt::format("{} where OFF should stand: this is no OFF file", quoted(word)));
+    text_.fail(
+        rest.ends_with("OFF")
+            ? fmt::format("{} has coordinates that are not 3; write OFF", in_quotes(word))
+            : fmt::format("{} where OFF should stand: this is no OFF file", in_quotes(word)));
   }
 
   /// Vertices, faces and perhaps edges, behind the header or on the next line.

@@ -70,7 +70,7 @@ class PlyReader {
     }
     if (least == 0 || element.count <= values_.remaining() / least) return;
     values_.fail(fmt::format("the header counts {} of {}, which the file can't hold; {}",
-                             element.count, quoted(element.name), kRemedy));
+                             element.count, in_quotes(element.name), kRemedy));
   }
 
   void vertices(const PlyElement& element) {

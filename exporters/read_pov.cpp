@@ -82,7 +82,7 @@ class PovReader {
     if (token == wanted) return;
     if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kPovRemedy));
     tokens_.fail(fmt::format("{} where {} should stand: only numbers are read, no expressions",
-                             quoted(token), wanted));
+                             in_quotes(token), wanted));
   }
 
   void pass_comma() {
@@ -111,10 +111,10 @@ class PovReader {
     const auto value = number_of(token);
     if (!value || token[0] == 'n' || token[0] == 'i') {
       tokens_.fail(
-          fmt::format("{} is no number: only numbers are read, no expressions", quoted(token)));
+          fmt::format("{} is no number: only numbers are read, no expressions", in_quotes(token)));
     }
     if (!is_usable(*value)) {
-      tokens_.fail(fmt::format("{} is not a finite float32 number", quoted(token)));
+      tokens_.fail(fmt::format("{} is not a finite float32 number", in_quotes(token)));
     }
     return *value;
   }

@@ -73,8 +73,8 @@ class StlText {
   }
 
   [[noreturn]] void wrong(std::string_view word, std::string_view wanted) const {
-    text_.fail(fmt::format("{} where {} should stand; {}", word.empty() ? "nothing" : quoted(word),
-                           wanted, kRemedy));
+    text_.fail(fmt::format("{} where {} should stand; {}",
+                           word.empty() ? "nothing" : in_quotes(word), wanted, kRemedy));
   }
 
   void expect(std::string_view wanted) {

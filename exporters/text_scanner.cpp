@@ -25,7 +25,7 @@ Error file_error(std::string_view name, std::string_view unit, std::uint64_t pla
   return Error(fmt::format("{}, {} {}: {}", name, unit, place, what));
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t kMost = 24;
   std::string text(word.substr(0, kMost));
   std::ranges::replace_if(
@@ -114,9 +114,9 @@ double TextScanner::number() {
   const std::string_view text = word();
   if (text.empty()) fail("a number is missing here; export the mesh again");
   const auto value = number_of(text);
-  if (!value) fail(fmt::format("{} is no number; export the mesh again", quoted(text)));
+  if (!value) fail(fmt::format("{} is no number; export the mesh again", in_quotes(text)));
   if (!is_usable(*value)) {
-    fail(fmt::format("{} is not a finite float32 number; export the mesh again", quoted(text)));
+    fail(fmt::format("{} is not a finite float32 number; export the mesh again", in_quotes(text)));
   }
   return *value;
 }
@@ -126,7 +126,7 @@ std::uint64_t TextScanner::count() {
   if (text.empty()) fail("a count is missing here; export the mesh again");
   const auto value = integer_of(text);
   if (!value || *value < 0) {
-    fail(fmt::format("{} is no count; export the mesh again", quoted(text)));
+    fail(fmt::format("{} is no count; export the mesh again", in_quotes(text)));
   }
   return std::uint64_t(*value);
 }

@@ -16,7 +16,7 @@ Error file_error(std::string_view name, std::string_view unit, std::uint64_t pla
                  std::string_view what);
 
 /// `word` for a message: cut when long, with "?" for what does not print.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 /// The number that all of `word` spells, whatever the locale, also nan and inf. Beyond double's
 /// range it is infinite or zero.
