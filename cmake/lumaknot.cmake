@@ -26,17 +26,31 @@ function(lumaknot_optimize target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
 endfunction()
 
-# lumaknot_unity(TARGET): its files are compiled a dozen at a time. Names of unnamed namespaces must
-# differ within the target.
+# lumaknot_unity(TARGET): the files of each of its folders are compiled a dozen at a time. Names of unnamed
+# namespaces must differ within a folder.
 function(lumaknot_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${LUMAKNOT_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${LUMAKNOT_UNITY} UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${folder}" folder)
+    math(EXPR batch "${files_of_${folder}} + 0" OUTPUT_FORMAT DECIMAL)
+    math(EXPR files_of_${folder} "${batch} + 1")
+    math(EXPR batch "${batch} / 12")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
+  endforeach()
 endfunction()
 
-# lumaknot_library(NAME [UNITY] [OPTIMIZE level] PUBLIC libs... PRIVATE libs...): the folder NAME as
-# lumaknot::NAME.
+# lumaknot_library(NAME [UNITY] [OPTIMIZE level] [FOLDERS folders...] PUBLIC libs... PRIVATE libs...): the
+# folder NAME, with those of its own folders, as lumaknot::NAME.
 function(lumaknot_library name)
-  cmake_parse_arguments(ARG "UNITY" "OPTIMIZE" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+  cmake_parse_arguments(ARG "UNITY" "OPTIMIZE" "FOLDERS;PUBLIC;PRIVATE" ${ARGN})
+  set(patterns *.cpp *.h)
+  foreach(folder IN LISTS ARG_FOLDERS)
+    list(APPEND patterns ${folder}/*.cpp ${folder}/*.h)
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   add_library(lumaknot_${name} STATIC ${sources})
   add_library(lumaknot::${name} ALIAS lumaknot_${name})
   target_link_libraries(lumaknot_${name} PUBLIC lumaknot_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})

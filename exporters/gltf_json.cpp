@@ -12,8 +12,6 @@
 namespace lumaknot {
 namespace {
 
-using Json = nlohmann::json;
-
 using Kind = GltfKind;
 using Scalar = GltfScalar;
 using Shape = GltfShape;
@@ -69,7 +67,7 @@ std::string problem_of(const Scalar& value, Kind kind) {
 }
 
 /// Takes what a JSON parser finds, and skips what has no shape, however deep.
-class ModelBuilder : public nlohmann::json_sax<Json> {
+class ModelBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit ModelBuilder(std::string_view name) : name_(name) {}
 
@@ -88,7 +86,7 @@ class ModelBuilder : public nlohmann::json_sax<Json> {
     return scalar({.is_number = true, .number = value});
   }
   bool string(std::string& value) override { return scalar({.is_text = true, .text = value}); }
-  bool binary(Json::binary_t&) override { return scalar({}); }
+  bool binary(nlohmann::json::binary_t&) override { return scalar({}); }
   bool start_object(std::size_t) override { return open(Kind::kObject); }
   bool start_array(std::size_t) override { return open(Kind::kList); }
   bool end_object() override { return close(); }
@@ -106,7 +104,8 @@ class ModelBuilder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool parse_error(std::size_t byte, const std::string&, const Json::exception&) override {
+  bool parse_error(std::size_t byte, const std::string&,
+                   const nlohmann::json::exception&) override {
     fail_gltf(name_, fmt::format("byte {} of the text", byte),
               "is not JSON; is it a glTF file, whole?");
   }
@@ -197,7 +196,8 @@ void fail_gltf(std::string_view name, std::string_view place, std::string_view p
 
 std::string quoted_gltf(std::string_view text) {
   constexpr std::size_t kMost = 60;
-  return Json(text.substr(0, kMost)).dump(-1, ' ', true, Json::error_handler_t::replace);
+  return nlohmann::json(text.substr(0, kMost))
+      .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 GltfModel gltf_model(std::string_view json, std::string_view name) {
@@ -206,7 +206,7 @@ GltfModel gltf_model(std::string_view json, std::string_view name) {
     fail_gltf(name, "the text", "is longer than 4 GiB; export to .glb");
   }
   ModelBuilder builder(name);
-  Json::sax_parse(json, &builder);
+  nlohmann::json::sax_parse(json, &builder);
   return builder.take();
 }
 

@@ -44,7 +44,7 @@ void write_gltf_pair(const std::filesystem::path& path, const TriangleMesh& mesh
   write_file(path, json.str(), flag);
 }
 
-struct MeshFormat {
+struct WritableFormat {
   std::string_view extension;
   Write write;
   bool has_text;              ///< always, or as MeshFileOptions::ascii
@@ -52,7 +52,7 @@ struct MeshFormat {
   bool has_tangents = false;  ///< as MeshFileOptions::tangents
 };
 
-constexpr MeshFormat kFormats[] = {
+constexpr WritableFormat kWritableFormats[] = {
     {".obj", write_whole<write_obj>, true, true},
     {".ply", write_whole<write_ply>, true, true},
     {".stl", write_whole<write_stl>, true, false},
@@ -67,7 +67,7 @@ constexpr MeshFormat kFormats[] = {
 template <class Has>
 std::string extensions(Has has) {
   std::vector<std::string_view> names;
-  for (const MeshFormat& format : kFormats) {
+  for (const WritableFormat& format : kWritableFormats) {
     if (std::invoke(has, format)) names.push_back(format.extension);
   }
   const std::string_view last = names.back();
@@ -75,13 +75,13 @@ std::string extensions(Has has) {
   return fmt::format("{} or {}", fmt::join(names, ", "), last);
 }
 
-const MeshFormat& format_of(const std::filesystem::path& path, std::string_view flag) {
+const WritableFormat& writable_format(const std::filesystem::path& path, std::string_view flag) {
   const std::string extension = path.extension().string();
-  for (const MeshFormat& format : kFormats) {
+  for (const WritableFormat& format : kWritableFormats) {
     if (extension == format.extension) return format;
   }
   throw Error(fmt::format("{} {} must end in {}", flag, path.string(),
-                          extensions([](const MeshFormat&) { return true; })));
+                          extensions([](const WritableFormat&) { return true; })));
 }
 
 bool fits(double value) { return std::abs(value) <= std::numeric_limits<float>::max(); }
@@ -103,18 +103,18 @@ void check_fits(const TriangleMesh& mesh, std::string_view flag) {
 
 void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions& options,
                        std::string_view flag) {
-  const MeshFormat& format = format_of(path, flag);
+  const WritableFormat& format = writable_format(path, flag);
   if (options.ascii && !format.has_text) {
     throw Error(fmt::format("{} {} can't be text: its format is binary alone; end it in {}", flag,
-                            path.string(), extensions(&MeshFormat::has_text)));
+                            path.string(), extensions(&WritableFormat::has_text)));
   }
   if (options.quads && !format.has_quads) {
     throw Error(fmt::format("{} {} can't hold quads: its format has triangles alone; end it in {}",
-                            flag, path.string(), extensions(&MeshFormat::has_quads)));
+                            flag, path.string(), extensions(&WritableFormat::has_quads)));
   }
   if (options.tangents && !format.has_tangents) {
     throw Error(fmt::format("{} {} can't hold tangents; end it in {}", flag, path.string(),
-                            extensions(&MeshFormat::has_tangents)));
+                            extensions(&WritableFormat::has_tangents)));
   }
 }
 
@@ -126,7 +126,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                             flag, path.string()));
   }
   check_fits(mesh, flag);
-  format_of(path, flag).write(path, mesh, options, flag);
+  writable_format(path, flag).write(path, mesh, options, flag);
 }
 
 }  // namespace lumaknot

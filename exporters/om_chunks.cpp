@@ -16,23 +16,22 @@ namespace {
 enum Entity : unsigned { kVertex, kMeshItself, kFace, kEdge = 4, kHalfedge = 6, kEndOfFile = 7 };
 enum Type : unsigned { kPosition, kNormal, kUv, kStatus, kColor, kCustom = 6, kTopology = 7 };
 
-constexpr std::string_view kRemedy = "export the mesh again";
-constexpr std::size_t kHeaderSize = 16;
+constexpr std::size_t kOmHeaderSize = 16;
 constexpr std::uint8_t kOldest = 2 << 5, kNewest = kOldest | 2;  // major << 5 | minor
 
 /// The chunks that are kept, in an order that OpenMesh can read them in.
-struct Kind {
+struct OmKind {
   unsigned entity, type, dimensions;
   std::string_view name;
 };
 enum KindIndex : std::size_t { kPositions, kNormals, kUvs, kHalfedges, kHalfedgeUvs, kFaces };
-constexpr std::array kKinds{
-    Kind{kVertex, kPosition, 3, "positions"},
-    Kind{kVertex, kNormal, 3, "normals"},
-    Kind{kVertex, kUv, 2, "texture coordinates"},
-    Kind{kHalfedge, kTopology, 3, "halfedges"},
-    Kind{kHalfedge, kUv, 2, "texture coordinates of halfedges"},
-    Kind{kFace, kTopology, 1, "faces"},
+constexpr std::array kOmKinds{
+    OmKind{kVertex, kPosition, 3, "positions"},
+    OmKind{kVertex, kNormal, 3, "normals"},
+    OmKind{kVertex, kUv, 2, "texture coordinates"},
+    OmKind{kHalfedge, kTopology, 3, "halfedges"},
+    OmKind{kHalfedge, kUv, 2, "texture coordinates of halfedges"},
+    OmKind{kFace, kTopology, 1, "faces"},
 };
 
 /// 16 bits: reserved, named, entity, type, signed, float, dimensions - 1, log2 of a number's size.
@@ -41,7 +40,7 @@ struct ChunkHeader {
   bool is_named, is_float;
 };
 
-struct Chunk {
+struct OmChunk {
   std::string_view bytes;  ///< header and data
   std::string_view data;
   std::size_t begin = 0;   ///< of the data in the file
@@ -57,7 +56,7 @@ std::uint64_t little_endian(std::string_view bytes) {
 }
 
 /// The i-th integer of a chunk, which may be -1.
-std::int64_t integer(const Chunk& chunk, std::size_t i) {
+std::int64_t integer(const OmChunk& chunk, std::size_t i) {
   const unsigned unused = 64 - 8 * unsigned(chunk.scalar);
   const std::uint64_t value = little_endian(chunk.data.substr(i * chunk.scalar, chunk.scalar));
   return std::int64_t(value << unused) >> unused;
@@ -87,11 +86,12 @@ class OmChecker {
     check_header();
     while (at_ < bytes_.size() && pass_chunk()) continue;
     for (const KindIndex kind : {kPositions, kHalfedges, kFaces}) {
-      if (!chunks_[kind]) fail(at_, fmt::format("there are no {}; {}", kKinds[kind].name, kRemedy));
+      if (!chunks_[kind])
+        fail(at_, fmt::format("there are no {}; {}", kOmKinds[kind].name, kExportAgain));
     }
     check_halfedges();
     check_faces();
-    OmFile file{std::string(bytes_.substr(0, kHeaderSize)), chunks_[kNormals].has_value(),
+    OmFile file{std::string(bytes_.substr(0, kOmHeaderSize)), chunks_[kNormals].has_value(),
                 chunks_[kUvs].has_value(), chunks_[kHalfedgeUvs].has_value()};
     for (const auto& chunk : chunks_) {
       if (chunk) file.bytes += chunk->bytes;
@@ -105,7 +105,7 @@ class OmChecker {
   }
 
   void check_header() {
-    if (bytes_.size() < kHeaderSize || !bytes_.starts_with("OM")) {
+    if (bytes_.size() < kOmHeaderSize || !bytes_.starts_with("OM")) {
       fail(0, "this is no OM file; does the file's ending tell its format?");
     }
     version_ = std::uint8_t(bytes_[3]);
@@ -116,14 +116,14 @@ class OmChecker {
     vertices_ = little_endian(bytes_.substr(4, 4));
     faces_ = little_endian(bytes_.substr(8, 4));
     edges_ = little_endian(bytes_.substr(12, 4));
-    at_ = kHeaderSize;
+    at_ = kOmHeaderSize;
   }
 
   /// The next `size` bytes.
   std::string_view take_bytes(std::uint64_t size) {
     if (size > bytes_.size() - at_) {
       fail(at_, fmt::format("{} bytes should follow, the file has {}; {}", size,
-                            bytes_.size() - at_, kRemedy));
+                            bytes_.size() - at_, kExportAgain));
     }
     at_ += size;
     return bytes_.substr(at_ - size, size);
@@ -142,7 +142,7 @@ class OmChecker {
       case kHalfedge:
         return 2 * edges_;
       default:
-        fail(at_ - 2, fmt::format("a chunk of an unknown kind; {}", kRemedy));
+        fail(at_ - 2, fmt::format("a chunk of an unknown kind; {}", kExportAgain));
     }
   }
 
@@ -165,27 +165,27 @@ class OmChecker {
   }
 
   void keep(const ChunkHeader& header, std::size_t begin, std::size_t data) {
-    for (std::size_t i = 0; i < kKinds.size(); ++i) {
-      const Kind& kind = kKinds[i];
+    for (std::size_t i = 0; i < kOmKinds.size(); ++i) {
+      const OmKind& kind = kOmKinds[i];
       if (header.entity != kind.entity || header.type != kind.type) continue;
       const unsigned most = kind.type == kTopology ? 2 : kind.type == kUv ? 0 : 1;
       if (header.dimensions != kind.dimensions || !header.is_float || header.log_size > most) {
-        fail(begin, fmt::format("{} in an unknown form; {}", kind.name, kRemedy));
+        fail(begin, fmt::format("{} in an unknown form; {}", kind.name, kExportAgain));
       }
-      if (chunks_[i]) fail(begin, fmt::format("{} a second time; {}", kind.name, kRemedy));
-      chunks_[i] = Chunk{bytes_.substr(begin, at_ - begin), bytes_.substr(data, at_ - data), data,
-                         std::size_t(1) << header.log_size};
+      if (chunks_[i]) fail(begin, fmt::format("{} a second time; {}", kind.name, kExportAgain));
+      chunks_[i] = OmChunk{bytes_.substr(begin, at_ - begin), bytes_.substr(data, at_ - data), data,
+                           std::size_t(1) << header.log_size};
     }
   }
 
   /// The i-th integer of a chunk, which must be `least` to `count` - 1.
   std::int64_t checked(KindIndex kind, std::size_t i, std::int64_t least, std::uint64_t count,
                        std::string_view what) const {
-    const Chunk& chunk = *chunks_[kind];
+    const OmChunk& chunk = *chunks_[kind];
     const std::int64_t value = integer(chunk, i);
     if (value >= least && value < std::int64_t(count)) return value;
     fail(chunk.begin + i * chunk.scalar,
-         fmt::format("{} {} is not there, the file has {}; {}", what, value, count, kRemedy));
+         fmt::format("{} {} is not there, the file has {}; {}", what, value, count, kExportAgain));
   }
 
   /// Each halfedge is three integers: the next halfedge, the vertex it points to, its face or -1.
@@ -195,16 +195,16 @@ class OmChecker {
       const auto to = checked(kHalfedges, 3 * h + 1, 0, vertices_, "vertex");
       checked(kHalfedges, 3 * h + 2, -1, faces_, "face");
       if (h % 2 == 1 && to == integer(*chunks_[kHalfedges], 3 * h - 2)) {
-        const Chunk& chunk = *chunks_[kHalfedges];
+        const OmChunk& chunk = *chunks_[kHalfedges];
         fail(chunk.begin + 3 * h * chunk.scalar,
-             fmt::format("an edge from vertex {0} to vertex {0}; {1}", to, kRemedy));
+             fmt::format("an edge from vertex {0} to vertex {0}; {1}", to, kExportAgain));
       }
     }
   }
 
   /// From its halfedge on, a face's halfedges come back to it, and are its own.
   void check_faces() const {
-    const Chunk& halfedges = *chunks_[kHalfedges];
+    const OmChunk& halfedges = *chunks_[kHalfedges];
     std::vector<bool> is_used(2 * edges_);
     for (std::uint64_t f = 0; f < faces_; ++f) {
       const auto first = std::uint64_t(checked(kFaces, f, 0, 2 * edges_, "halfedge"));
@@ -212,7 +212,7 @@ class OmChecker {
       do {
         if (is_used[h] || integer(halfedges, 3 * h + 2) != std::int64_t(f)) {
           fail(halfedges.begin + 3 * h * halfedges.scalar,
-               fmt::format("halfedge {} is not in a ring around face {}; {}", h, f, kRemedy));
+               fmt::format("halfedge {} is not in a ring around face {}; {}", h, f, kExportAgain));
         }
         is_used[h] = true;
         ++size;
@@ -220,7 +220,7 @@ class OmChecker {
       } while (h != first);
       if (size < 3) {
         fail(chunks_[kFaces]->begin + f * chunks_[kFaces]->scalar,
-             fmt::format("a face of {} corners, which needs 3; {}", size, kRemedy));
+             fmt::format("a face of {} corners, which needs 3; {}", size, kExportAgain));
       }
     }
   }
@@ -229,7 +229,7 @@ class OmChecker {
   std::size_t at_ = 0;
   std::uint8_t version_ = 0;
   std::uint64_t vertices_ = 0, faces_ = 0, edges_ = 0;
-  std::array<std::optional<Chunk>, kKinds.size()> chunks_;
+  std::array<std::optional<OmChunk>, kOmKinds.size()> chunks_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace tbb = oneapi::tbb;
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18;  // what a core's own cache holds
 constexpr std::size_t kMostChunks = 32;                    // under way at a time: 8 MiB
 
-struct Chunk {
+struct OutputChunk {
   std::unique_ptr<char[]> bytes;
   std::size_t size = 0;
 };
@@ -34,8 +34,8 @@ void write_ranges(std::ostream& stream, std::size_t count, std::size_t item_byte
   const std::size_t chunks = (count + items - 1) / items;
   if (chunks == 0) return;
   // Chunks leave in order, so the one before last with the same place in the ring has left.
-  std::vector<Chunk> ring(chunks_under_way(chunks));
-  for (Chunk& chunk : ring)
+  std::vector<OutputChunk> ring(chunks_under_way(chunks));
+  for (OutputChunk& chunk : ring)
     chunk.bytes = std::make_unique_for_overwrite<char[]>(items * item_bytes);
   std::size_t next = 0;
   std::atomic<bool> failed = false;
@@ -44,13 +44,13 @@ void write_ranges(std::ostream& stream, std::size_t count, std::size_t item_byte
     return next++;
   };
   const auto fill = [&](std::size_t index) {
-    Chunk& chunk = ring[index % ring.size()];
+    OutputChunk& chunk = ring[index % ring.size()];
     const std::size_t first = index * items, last = std::min(count, first + items);
     chunk.size = std::size_t(format(first, last, chunk.bytes.get()) - chunk.bytes.get());
     return index;
   };
   const auto drain = [&](std::size_t index) {
-    const Chunk& chunk = ring[index % ring.size()];
+    const OutputChunk& chunk = ring[index % ring.size()];
     if (!stream.write(chunk.bytes.get(), std::streamsize(chunk.size))) failed = true;
   };
   tbb::parallel_pipeline(

@@ -11,8 +11,6 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::string_view kRemedy = "export the mesh again";
-
 constexpr std::pair<std::string_view, PlyType> kTypes[] = {
     {"char", PlyType::kInt8},       {"int8", PlyType::kInt8},       {"uchar", PlyType::kUint8},
     {"uint8", PlyType::kUint8},     {"short", PlyType::kInt16},     {"int16", PlyType::kInt16},
@@ -47,10 +45,11 @@ class HeaderReader {
       } else if (keyword == "end_header") {
         break;
       } else if (keyword != "comment" && keyword != "obj_info") {
-        text_.fail(fmt::format("{} is no word of a PLY header; {}", in_quotes(keyword), kRemedy));
+        text_.fail(
+            fmt::format("{} is no word of a PLY header; {}", in_quotes(keyword), kExportAgain));
       }
     }
-    if (!has_format) text_.fail(fmt::format("the header tells no format; {}", kRemedy));
+    if (!has_format) text_.fail(fmt::format("the header tells no format; {}", kExportAgain));
     return std::move(header_);
   }
 
@@ -60,12 +59,12 @@ class HeaderReader {
                std::string_view what) const {
     const auto found = std::ranges::find(table, word, [](const auto& row) { return row.first; });
     if (found != std::end(table)) return found->second;
-    text_.fail(fmt::format("{} {} is not known; {}", what, in_quotes(word), kRemedy));
+    text_.fail(fmt::format("{} {} is not known; {}", what, in_quotes(word), kExportAgain));
   }
 
   void property() {
     if (header_.elements.empty()) {
-      text_.fail(fmt::format("a property before any element; {}", kRemedy));
+      text_.fail(fmt::format("a property before any element; {}", kExportAgain));
     }
     PlyProperty property;
     std::string_view type = text_.word();
@@ -97,8 +96,9 @@ PlyHeader ply_header(std::string_view bytes, std::string_view name) {
   const std::size_t end = bytes.find("\nend_header");
   const std::size_t size = end == bytes.npos ? end : bytes.find('\n', end + 1);
   if (size == bytes.npos) {
-    throw file_error(name, "line", 1,
-                     fmt::format("no line end_header: cut short, or no PLY file; {}", kRemedy));
+    throw file_error(
+        name, "line", 1,
+        fmt::format("no line end_header: cut short, or no PLY file; {}", kExportAgain));
   }
   const std::string_view text = bytes.substr(0, size + 1);
   PlyHeader header = HeaderReader(text, name).take();

@@ -11,8 +11,6 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::string_view kRemedy = "export the mesh again";
-
 class OffReader {
  public:
   OffReader(std::string_view bytes, std::string_view name) : text_(bytes, name) {}
@@ -30,7 +28,7 @@ class OffReader {
       face();
     }
     if (text_.next_line())
-      text_.fail(fmt::format("more lines than the header counts; {}", kRemedy));
+      text_.fail(fmt::format("more lines than the header counts; {}", kExportAgain));
     return std::move(polygons_);
   }
 
@@ -60,7 +58,7 @@ class OffReader {
     if (!word.empty()) {
       text_ = before;
     } else if (!text_.next_line()) {
-      text_.fail(fmt::format("cut short before the counts; {}", kRemedy));
+      text_.fail(fmt::format("cut short before the counts; {}", kExportAgain));
     }
     vertices_ = text_.count();
     faces_ = text_.count();
@@ -68,12 +66,12 @@ class OffReader {
     const std::uint64_t bytes = text_.remaining() + 1;
     if (vertices_ <= bytes / 6 && faces_ <= bytes / 8) return;
     text_.fail(fmt::format("{} vertices and {} faces are more than the file can hold; {}",
-                           vertices_, faces_, kRemedy));
+                           vertices_, faces_, kExportAgain));
   }
 
   void line_of(std::string_view what, std::uint64_t count, std::uint64_t i) {
     if (text_.next_line()) return;
-    text_.fail(fmt::format("cut short after {} of {} {}; {}", i, count, what, kRemedy));
+    text_.fail(fmt::format("cut short after {} of {} {}; {}", i, count, what, kExportAgain));
   }
 
   void vertex() {
@@ -86,7 +84,7 @@ class OffReader {
       rest.push_back(number_of(word).value_or(NAN));
     }
     if (rest.size() < 2 || !is_usable(rest.end()[-2]) || !is_usable(rest.back())) {
-      text_.fail(fmt::format("no texture coordinate at the end of the line; {}", kRemedy));
+      text_.fail(fmt::format("no texture coordinate at the end of the line; {}", kExportAgain));
     }
     polygons_.uvs.push_back({rest.end()[-2], rest.back()});
   }
@@ -98,12 +96,13 @@ class OffReader {
 
   void face() {
     const std::uint64_t size = text_.count();
-    if (size < 3) text_.fail(fmt::format("a face of {} corners, which needs 3; {}", size, kRemedy));
+    if (size < 3)
+      text_.fail(fmt::format("a face of {} corners, which needs 3; {}", size, kExportAgain));
     for (std::uint64_t i = 0; i < size; ++i) {
       const std::uint64_t vertex = text_.count();
       if (vertex >= vertices_ || vertex >= kNoIndex) {
         text_.fail(fmt::format("vertex {} is not there, the file has {}, from 0 on; {}", vertex,
-                               vertices_, kRemedy));
+                               vertices_, kExportAgain));
       }
       const auto index = std::uint32_t(vertex);
       polygons_.corners.push_back(

@@ -12,8 +12,6 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::string_view kRemedy = "export the mesh again";
-
 /// What the numbers of a vertex are.
 enum Role : std::size_t { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kRoles };
 
@@ -70,7 +68,7 @@ class PlyReader {
     }
     if (least == 0 || element.count <= values_.remaining() / least) return;
     values_.fail(fmt::format("the header counts {} of {}, which the file can't hold; {}",
-                             element.count, in_quotes(element.name), kRemedy));
+                             element.count, in_quotes(element.name), kExportAgain));
   }
 
   void vertices(const PlyElement& element) {
@@ -81,7 +79,7 @@ class PlyReader {
       has[roles.back()] = true;
     }
     if (!has[kX] || !has[kY] || !has[kZ]) {
-      values_.fail(fmt::format("the header gives vertices no x, y and z; {}", kRemedy));
+      values_.fail(fmt::format("the header gives vertices no x, y and z; {}", kExportAgain));
     }
     has_normals_ = has[kNx] && has[kNy] && has[kNz];
     has_uvs_ = has[kU] && has[kV];
@@ -108,7 +106,7 @@ class PlyReader {
     bool has_indices = false;
     for (const PlyProperty& property : element.properties) has_indices |= is_indices(property);
     if (!has_indices) {
-      values_.fail(fmt::format("the header gives faces no list vertex_indices; {}", kRemedy));
+      values_.fail(fmt::format("the header gives faces no list vertex_indices; {}", kExportAgain));
     }
     for (std::uint64_t i = 0; i < element.count; ++i) face(element);
   }
@@ -136,11 +134,11 @@ class PlyReader {
   void corners(const PlyProperty& property) {
     const std::uint64_t size = list_size(property);
     if (size < 3)
-      values_.fail(fmt::format("a face of {} corners, which needs 3; {}", size, kRemedy));
+      values_.fail(fmt::format("a face of {} corners, which needs 3; {}", size, kExportAgain));
     for (std::uint64_t i = 0; i < size; ++i) {
       const double vertex = values_.value(property.type);
       if (!(vertex >= 0 && vertex < kNoIndex && vertex == std::floor(vertex))) {
-        values_.fail(fmt::format("{} is no index of a vertex; {}", vertex, kRemedy));
+        values_.fail(fmt::format("{} is no index of a vertex; {}", vertex, kExportAgain));
       }
       polygons_.corners.push_back({std::uint32_t(vertex), kNoIndex, kNoIndex});
     }
@@ -150,7 +148,7 @@ class PlyReader {
     std::vector<Vec2d> uvs;
     const std::uint64_t size = list_size(property);
     if (size % 2 != 0) {
-      values_.fail(fmt::format("{} numbers are no texture coordinates; {}", size, kRemedy));
+      values_.fail(fmt::format("{} numbers are no texture coordinates; {}", size, kExportAgain));
     }
     for (std::uint64_t i = 0; i < size / 2; ++i) {
       const double u = usable(values_.value(property.type));
@@ -165,7 +163,7 @@ class PlyReader {
     const std::size_t size = polygons_.corners.size() - before;
     if (uvs.size() != size) {
       values_.fail(
-          fmt::format("{} texture coordinates for {} corners; {}", uvs.size(), size, kRemedy));
+          fmt::format("{} texture coordinates for {} corners; {}", uvs.size(), size, kExportAgain));
     }
     for (std::size_t i = 0; i < size; ++i) {
       polygons_.corners[before + i].uv = std::uint32_t(corner_uvs_.size());
@@ -193,7 +191,8 @@ class PlyReader {
     const double size = values_.value(*property.count);
     const auto most = double(values_.remaining() / Values::least_size(property.type));
     if (size >= 0 && size <= most && size == std::floor(size)) return std::uint64_t(size);
-    values_.fail(fmt::format("a list of {} numbers, which the file can't hold; {}", size, kRemedy));
+    values_.fail(
+        fmt::format("a list of {} numbers, which the file can't hold; {}", size, kExportAgain));
   }
 
   void pass(const PlyProperty& property) {
@@ -209,7 +208,7 @@ class PlyReader {
 
   double usable(double value) const {
     if (is_usable(value)) return value;
-    values_.fail(fmt::format("{} is not a finite float32 number; {}", value, kRemedy));
+    values_.fail(fmt::format("{} is not a finite float32 number; {}", value, kExportAgain));
   }
 
   Values values_;

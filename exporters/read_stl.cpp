@@ -16,7 +16,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary STL is read as it stands");
 
 constexpr std::size_t kHeaderSize = 84, kFacetSize = 50;
-constexpr std::string_view kRemedy = "export the mesh again";
 
 /// Gathers facets and gives corners at equal positions one index.
 class Facets {
@@ -60,7 +59,7 @@ class StlText {
         is_open = !is_open;
       }
     }
-    if (is_open) text_.fail(fmt::format("cut short before endsolid; {}", kRemedy));
+    if (is_open) text_.fail(fmt::format("cut short before endsolid; {}", kExportAgain));
     return facets_.take("line");
   }
 
@@ -74,7 +73,7 @@ class StlText {
 
   [[noreturn]] void wrong(std::string_view word, std::string_view wanted) const {
     text_.fail(fmt::format("{} where {} should stand; {}",
-                           word.empty() ? "nothing" : in_quotes(word), wanted, kRemedy));
+                           word.empty() ? "nothing" : in_quotes(word), wanted, kExportAgain));
   }
 
   void expect(std::string_view wanted) {
@@ -83,7 +82,8 @@ class StlText {
   }
 
   void expect_line(std::string_view wanted) {
-    if (!text_.next_line()) text_.fail(fmt::format("cut short before {}; {}", wanted, kRemedy));
+    if (!text_.next_line())
+      text_.fail(fmt::format("cut short before {}; {}", wanted, kExportAgain));
     expect(wanted);
   }
 
@@ -119,7 +119,7 @@ float float_at(std::string_view bytes, std::size_t at) {
 Vec3d vector_at(std::string_view bytes, std::size_t at, std::string_view name) {
   const Vec3d v{float_at(bytes, at), float_at(bytes, at + 4), float_at(bytes, at + 8)};
   if (is_finite(v)) return v;
-  throw file_error(name, "byte", at, fmt::format("a number that is not finite; {}", kRemedy));
+  throw file_error(name, "byte", at, fmt::format("a number that is not finite; {}", kExportAgain));
 }
 
 std::uint64_t facets_said(std::string_view bytes) {
@@ -158,7 +158,7 @@ Polygons read_stl(std::string_view bytes, std::string_view name) {
   throw file_error(name, "byte", std::min<std::size_t>(80, bytes.size()),
                    fmt::format("neither the word solid at the file's begin nor, for binary STL, a "
                                "count that {} bytes hold; {}",
-                               bytes.size(), kRemedy));
+                               bytes.size(), kExportAgain));
 }
 
 }  // namespace lumaknot

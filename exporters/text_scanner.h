@@ -11,6 +11,9 @@
 
 namespace lumaknot {
 
+/// What to do about a mesh file that is wrong.
+inline constexpr std::string_view kExportAgain = "export the mesh again";
+
 /// What to throw for a file called `name` that is wrong at `place`, counted in `unit` ("line").
 Error file_error(std::string_view name, std::string_view unit, std::uint64_t place,
                  std::string_view what);

@@ -58,7 +58,11 @@ void write_text(std::ostream& stream, const TriangleMesh& mesh) {
 }  // namespace
 
 void write_stl(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
-  (options.ascii ? write_text : write_binary)(stream, mesh);
+  if (options.ascii) {
+    write_text(stream, mesh);
+  } else {
+    write_binary(stream, mesh);
+  }
 }
 
 }  // namespace lumaknot

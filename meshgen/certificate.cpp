@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <span>
 
+#include "scene/angle.h"
 #include "scene/presets.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegrees = 180 / kPi;
 
 /// The angle between two vectors of any length, in degrees; exact near 0.
 double angle_between(const Vec3d& a, const Vec3d& b) {

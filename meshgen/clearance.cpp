@@ -17,18 +17,17 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <queue>
 #include <utility>
 
 #include "meshgen/link_pair.h"
 #include "meshgen/quadratic.h"
 #include "meshgen/sharpest_bend.h"
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 1e-6;  // see Clearance::radius
 
 /// The numbers within `half` of `middle`.

@@ -9,14 +9,12 @@
 // the next derivative.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "meshgen/deviation.h"
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Upper bounds of |C''|, |C'''|, |C''''| on the whole curve, from its harmonics.
 struct GlobalBounds {

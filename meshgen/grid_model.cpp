@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "meshgen/tube_distance.h"
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// -X_tt . n = s^2 (K (1 + r K) + r w^2) on the outer side of the bend, where it is largest; s is
 /// the speed, K the curvature and w the frame's turn a length.

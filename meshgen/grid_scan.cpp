@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "meshgen/tube_distance.h"
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// At the sides j + fraction.
 std::vector<Direction> between_sides(int sides, double fraction) {

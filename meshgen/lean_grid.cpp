@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -14,12 +13,12 @@
 #include "meshgen/deviation.h"
 #include "meshgen/grid_model.h"
 #include "meshgen/grid_scan.h"
+#include "scene/angle.h"
 #include "scene/error.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kMostVertices = 5e7;
 
 /// Whether the quads about some witness are off by more than `max_error`.

@@ -8,13 +8,12 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
+
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Angles from 0 to pi, ascending: evenly spaced ones, and ones between which the curve's
 /// direction on the torus turns evenly. It turns quickly where a steep curve (|p| >> |q|) passes

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "meshgen/knot_mesh.h"
+#include "scene/angle.h"
 #include "scene/check.h"
 #include "scene/error.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 std::vector<Curve> exact_lines(const KnotSpec& knot) {
   check_knot(knot, "mesh.knot.");

@@ -1,12 +1,11 @@
 #include "study/ciede2000.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
 /// C^7 / (C^7 + 25^7), what both corrections of chroma grow with.
 double saturation(double chroma) {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/angle.h"
+
 namespace lumaknot {
 namespace {
 
 using Plane = Grid<float>;
 using Kernel = std::vector<float>;  // of odd length, its middle at the pixel
-
-constexpr double kPi = std::numbers::pi;
 
 /// exp(-x^2 / (2 sigma^2)) for |x| <= radius, its sum one.
 Kernel gaussian(double sigma, int radius) {

@@ -18,16 +18,18 @@ using Json = nlohmann::ordered_json;
 namespace mustache = kainjow::mustache;
 
 /// Where powers of ten lie in the chart.
-constexpr double kLeft = 60, kRight = 710, kTop = 50, kBottom = 480;
+constexpr double kAxesLeft = 60, kAxesRight = 710, kAxesTop = 50, kAxesBottom = 480;
 constexpr std::array<const char*, 3> kColors{"#d97b29", "#3f7f93", "#7a5195"};
 
 /// The chart's decades, across and upwards.
-struct Axes {
+struct GrowthAxes {
   double decades_x = 1, decades_y = 1;
 
-  double x(double ratio) const { return kLeft + (kRight - kLeft) * std::log10(ratio) / decades_x; }
+  double x(double ratio) const {
+    return kAxesLeft + (kAxesRight - kAxesLeft) * std::log10(ratio) / decades_x;
+  }
   double y(double ratio) const {
-    return kBottom - (kBottom - kTop) * std::log10(ratio) / decades_y;
+    return kAxesBottom - (kAxesBottom - kAxesTop) * std::log10(ratio) / decades_y;
   }
 };
 
@@ -37,8 +39,8 @@ double time_ratio(const Growth& g, std::size_t i) {
   return g.steps[i].milliseconds.median / g.steps[0].milliseconds.median;
 }
 
-Axes axes_of(const std::vector<Growth>& all) {
-  Axes axes;
+GrowthAxes axes_of(const std::vector<Growth>& all) {
+  GrowthAxes axes;
   for (const Growth& g : all) {
     for (std::size_t i = 0; i < g.steps.size(); ++i) {
       axes.decades_x = std::max(axes.decades_x, std::ceil(std::log10(work_ratio(g, i))));
@@ -68,23 +70,23 @@ mustache::data label_data(double x, double y, const char* anchor, double decade)
   return label;
 }
 
-void add_grid(mustache::data& chart, const Axes& axes) {
+void add_grid(mustache::data& chart, const GrowthAxes& axes) {
   mustache::data lines = mustache::data::type::list, labels = mustache::data::type::list;
   for (double decade = 0; decade <= axes.decades_x; ++decade) {
     const double x = axes.x(std::pow(10, decade));
-    lines.push_back(line_data(x, kTop, x, kBottom));
-    labels.push_back(label_data(x, kBottom + 20, "middle", decade));
+    lines.push_back(line_data(x, kAxesTop, x, kAxesBottom));
+    labels.push_back(label_data(x, kAxesBottom + 20, "middle", decade));
   }
   for (double decade = 0; decade <= axes.decades_y; ++decade) {
     const double y = axes.y(std::pow(10, decade));
-    lines.push_back(line_data(kLeft, y, kRight, y));
-    labels.push_back(label_data(kLeft - 8, y + 4, "end", decade));
+    lines.push_back(line_data(kAxesLeft, y, kAxesRight, y));
+    labels.push_back(label_data(kAxesLeft - 8, y + 4, "end", decade));
   }
   chart.set("lines", lines);
   chart.set("labels", labels);
 }
 
-mustache::data growth_data(const Growth& g, const Axes& axes, std::size_t index) {
+mustache::data growth_data(const Growth& g, const GrowthAxes& axes, std::size_t index) {
   mustache::data data, dots = mustache::data::type::list;
   std::string points;
   for (std::size_t i = 0; i < g.steps.size(); ++i) {
@@ -100,8 +102,8 @@ mustache::data growth_data(const Growth& g, const Axes& axes, std::size_t index)
   data.set("dots", dots);
   data.set("name", g.name);
   data.set("color", kColors[index % kColors.size()]);
-  data.set("key_y", number(kTop + 10 + 20 * double(index)));
-  data.set("key_text_y", number(kTop + 21 + 20 * double(index)));
+  data.set("key_y", number(kAxesTop + 10 + 20 * double(index)));
+  data.set("key_text_y", number(kAxesTop + 21 + 20 * double(index)));
   return data;
 }
 
@@ -137,7 +139,7 @@ std::string growth_json(const std::vector<Growth>& all) {
 }
 
 std::string growth_svg(const std::vector<Growth>& all) {
-  const Axes axes = axes_of(all);
+  const GrowthAxes axes = axes_of(all);
   mustache::data chart, growths = mustache::data::type::list;
   add_grid(chart, axes);
   for (std::size_t i = 0; i < all.size(); ++i) growths.push_back(growth_data(all[i], axes, i));
@@ -145,7 +147,7 @@ std::string growth_svg(const std::vector<Growth>& all) {
   const double end = std::pow(10, std::min(axes.decades_x, axes.decades_y));
   chart.set("linear", fmt::format("{},{} {},{}", number(axes.x(1)), number(axes.y(1)),
                                   number(axes.x(end)), number(axes.y(end))));
-  chart.set("linear_text_y", number(kTop + 21 + 20 * double(all.size())));
+  chart.set("linear_text_y", number(kAxesTop + 21 + 20 * double(all.size())));
   mustache::mustache picture{std::string(embedded::growth_template())};
   return picture.render(chart);
 }

@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "scene/angle.h"
 
 namespace lumaknot {
-namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-}  // namespace
 
 KnotGrid::KnotGrid(const KnotSpec& knot, const TriangleMesh& mesh)
     : knot_(knot), mesh_(mesh), layout_(layout_of(knot)) {

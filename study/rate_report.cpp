@@ -123,7 +123,7 @@ std::vector<Bars> all_bars(const RateTable& table) {
   return all;
 }
 
-constexpr int kLeft = 440, kWidth = 460, kTop = 78, kBar = 12, kGap = 10;
+constexpr int kBarsLeft = 440, kBarsWidth = 460, kBarsTop = 78, kBar = 12, kGap = 10;
 constexpr std::array<const char*, kRateShots.size()> kFills{"#8c96a3", "#d97b29", "#3f7f93"};
 
 /// The bars of one row, from `y` downwards; `y` is moved below them.
@@ -132,12 +132,12 @@ mustache::data row_data(const Bars& bars, double most, int& y) {
   const int top = y;
   for (std::size_t i = 0; i < bars.rates.size(); ++i) {
     if (bars.rates[i] == 0) continue;
-    const double width = kWidth * bars.rates[i] / most;
+    const double width = kBarsWidth * bars.rates[i] / most;
     mustache::data bar;
     bar.set("y", std::to_string(y));
     bar.set("text_y", std::to_string(y + kBar - 2));
     bar.set("width", fmt::format("{:.1f}", width));
-    bar.set("end", fmt::format("{:.1f}", kLeft + width + 6));
+    bar.set("end", fmt::format("{:.1f}", kBarsLeft + width + 6));
     bar.set("fill", kFills[i]);
     bar.set("rate", rate_text(bars.rates[i]));
     list.push_back(bar);
@@ -156,12 +156,12 @@ mustache::data chart_data(const RateTable& table) {
   double most = 0;
   for (const Bars& bars : all) most = std::max(most, std::ranges::max(bars.rates));
   mustache::data rows = mustache::data::type::list;
-  int y = kTop;
+  int y = kBarsTop;
   for (const Bars& bars : all) rows.push_back(row_data(bars, most, y));
   mustache::data data;
   data.set("rows", rows);
-  data.set("left", std::to_string(kLeft));
-  data.set("names_end", std::to_string(kLeft - 10));
+  data.set("left", std::to_string(kBarsLeft));
+  data.set("names_end", std::to_string(kBarsLeft - 10));
   data.set("bar", std::to_string(kBar));
   data.set("classical", kFills[0]);
   data.set("yiq", kFills[1]);

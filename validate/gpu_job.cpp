@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Matrix = std::array<double, 16>;  // column-major
 
-constexpr std::string_view kPlace = "lumaknot-gpu's folder";
+constexpr std::string_view kGpuFolder = "lumaknot-gpu's folder";
 
 /// Where Vulkan's shaders find a texture; HLSL's, as compile_spirv() shifts them, also its sampler.
 struct Binding {
@@ -136,7 +136,7 @@ Json write_draw(const fs::path& folder, const ShaderJob& job, Language language,
     const bool is_source = api_of(language) != "vulkan";
     write_file(folder / file,
                is_source ? text : compile_spirv(programs, text, {is_hlsl, is_fragment, entry}),
-               kPlace);
+               kGpuFolder);
     draw[std::string(stage)] = file;
     draw[fmt::format("{}_entry", stage)] = entry;
   };
@@ -146,7 +146,7 @@ Json write_draw(const fs::path& folder, const ShaderJob& job, Language language,
     draw["uniforms"] = uniforms_json(shader, projection);
     return draw;
   }
-  write_file(folder / (job.name + ".block"), block_bytes(shader, projection), kPlace);
+  write_file(folder / (job.name + ".block"), block_bytes(shader, projection), kGpuFolder);
   draw["uniform_block"] = job.name + ".block";
   draw["uniform_binding"] = 0;
   return draw;
@@ -182,7 +182,7 @@ void write_gpu_job(const fs::path& folder, const Scene& scene, std::span<const S
     json["draws"].push_back(write_draw(folder, job, language, projection, programs));
   }
   if (timing) add_timing(*timing, json);
-  write_file(folder / "job.json", json.dump(1), kPlace);
+  write_file(folder / "job.json", json.dump(1), kGpuFolder);
 }
 
 Image read_gpu_image(const fs::path& path, int width, int height) {

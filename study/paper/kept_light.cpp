@@ -19,7 +19,7 @@ fs::path file_of(const fs::path& folder, FigureLight light) {
   return folder / "images" / (light == FigureLight::kFront ? "front.json" : "back.json");
 }
 
-Json image_json(const FigureImage& i) {
+Json kept_image_json(const FigureImage& i) {
   return {{"renderer", i.renderer}, {"file", i.file}, {"outcome", i.outcome}, {"why", i.why},
           {"note", i.note},         {"mean", i.mean}, {"agree", i.agree}};
 }
@@ -37,7 +37,7 @@ FigureImage image_from(const Json& json, const fs::path& folder) {
   return image;
 }
 
-Json renderer_json(const FigureRenderer& r) {
+Json kept_renderer_json(const FigureRenderer& r) {
   return {{"name", r.name}, {"version", r.version}, {"seconds", r.seconds}, {"missing", r.missing}};
 }
 
@@ -72,11 +72,12 @@ void keep_light(const LightPictures& light, const fs::path& folder, FigureLight 
       } else {
         write_file(folder / image.file, image.png, kFlag);
       }
-      images.push_back(image_json(image));
+      images.push_back(kept_image_json(image));
     }
     json["pictures"].push_back({{"name", picture.name}, {"images", images}});
   }
-  for (const FigureRenderer& r : light.renderers) json["renderers"].push_back(renderer_json(r));
+  for (const FigureRenderer& r : light.renderers)
+    json["renderers"].push_back(kept_renderer_json(r));
   write_file(file_of(folder, which), json.dump(2) + "\n", kFlag);
 }
 

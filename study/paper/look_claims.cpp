@@ -11,7 +11,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::size_t kSection = 3;
+constexpr std::size_t kLookSection = 3;
 constexpr double kHighlight = 0.1;  // of L_S: bright enough to be seen as one
 
 /// A shade is grey where it has less than half of the texture's chroma, percent, and the texture's
@@ -82,7 +82,7 @@ PaperClaim front_similar_claim(const LookPictures& front) {
   const double flip = errors_between(seen(front.phong), seen(front.yiq)).flip;
   return {
       "front-similar",
-      kSection,
+      kLookSection,
       "With the light in front, the results of Phong and YIQ are quite similar.",
       "Both front pictures, as displayed: CIEDE2000 of each pixel (1 is just seen, 10 is another "
       "colour) and FLIP (mean of the picture, 0 to 1).",
@@ -97,7 +97,7 @@ PaperClaim no_worse_claim(const LookPictures& front) {
   };
   const auto cut = [](const Image& image) { return 100 * share_out_of_gamut(image); };
   return {"no-worse",
-          kSection,
+          kLookSection,
           "With the light in front the proposed model is no worse than the classical one.",
           "Front pictures: how far CIELAB hues turn from the texture's, and how many pixels have a "
           "colour that a display cuts off. No worse: no more than Phong's, to one degree and one "
@@ -113,7 +113,7 @@ PaperClaim phong_back_claim(const LookPictures& back) {
   const auto& [texture, phong, yiq, shadow, highlight, unlit] = back;
   return {
       "phong-back-grey",
-      kSection,
+      kLookSection,
       "With the light at the back, Phong generates grey shades.",
       "Back picture as displayed: CIELAB chroma C* and saturation C*/L* where n . L <= 0, and "
       "saturation where L_S is at least 0.1, each as a share of the texture's there. Grey: less "
@@ -133,7 +133,7 @@ PaperClaim yiq_back_claim(const LookPictures& back) {
   const auto& [texture, phong, yiq, shadow, highlight, unlit] = back;
   return {
       "yiq-back-color",
-      kSection,
+      kLookSection,
       "With the light at the back, YIQ does not generate grey shades.",
       "The same in YIQ. Not grey: at least half; and the shade must be the texture's, within 10 "
       "degrees of its CIELAB hue.",
@@ -155,7 +155,7 @@ PaperClaim phong_grey_claim(const std::vector<Image>& phong) {
   }
   return {
       "phong-specular-grey",
-      kSection,
+      kLookSection,
       "Phong's specular reflection alone is completely grey, no matter what the texture is.",
       "Specular picture on bricks and five plain colours: the largest difference of two channels "
       "of a pixel, and of two textures' pictures.",
@@ -168,7 +168,7 @@ PaperClaim phong_grey_claim(const std::vector<Image>& phong) {
 PaperClaim yiq_keeps_claim(const LookPictures& p) {
   return {
       "yiq-specular-color",
-      kSection,
+      kLookSection,
       "In YIQ the specular reflection alone depends on the surface and keeps its colour.",
       "Specular picture in YIQ, as displayed, where L_S is at least 0.1: chroma as a share of "
       "the texture's (kept: half of it, as a highlight is brighter), and its hue.",
@@ -190,7 +190,7 @@ PaperClaim metal_claim(const LookPictures& p, const Image& metal) {
   for (RgbaPixel& pixel : black.pixels) pixel.color = {};
   const Change glow = change_between(black, p.yiq, p.unlit);
   return {"metal",
-          kSection,
+          kLookSection,
           "In YIQ the specular reflection alone can simulate metallic surfaces.",
           "Specular pictures against a metal's, whose highlight is L_S times the texture: mean "
           "CIEDE2000 in highlights, where YIQ must be nearer to it than Phong; and pixels without "
@@ -209,7 +209,7 @@ PaperClaim any_angle_claim(const std::vector<View360>& views) {
     cut = std::max(cut, share_out_of_gamut(view.yiq));
   }
   return {"any-angle",
-          kSection,
+          kLookSection,
           "The results are reasonably realistic when viewed from any possible angle and look "
           "natural.",
           "The YIQ picture from all around the knot, the light staying: the most that the mean hue "

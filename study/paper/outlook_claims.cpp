@@ -14,7 +14,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::size_t kSection = 4;
+constexpr std::size_t kOutlookSection = 4;
 constexpr std::string_view kSpaces[] = {"yiq",    "yuv601", "yuv709", "cielab",
                                         "cieluv", "din99",  "atd95"};
 
@@ -91,7 +91,7 @@ PaperClaim minnaert_claim(const Image& texture, const Image& rgb, const Image& y
   const Rise in_rgb = luma_rise(rgb, texture), in_yiq = luma_rise(yiq, texture);
   return {
       "minnaert",
-      kSection,
+      kOutlookSection,
       "In YIQ Minnaert's model makes the colour brighter in some cases instead of darker each "
       "time.",
       "Front picture without highlights, Minnaert's exponent 1.5: pixels whose luma is above the "
@@ -106,7 +106,7 @@ PaperClaim models_claim(const Image& texture, const std::vector<ModelPictures>& 
   const Marks all = covered(texture);
   PaperClaim claim{
       "models",
-      kSection,
+      kOutlookSection,
       "Other lighting models such as Oren-Nayar or Cook-Torrance can benefit as well.",
       "Back picture of each, as displayed: mean CIELAB chroma in YIQ over that in RGB. "
       "A benefit: a tenth more. How far the hue turns from the texture's is beside it.",
@@ -125,7 +125,7 @@ PaperClaim models_claim(const Image& texture, const std::vector<ModelPictures>& 
 PaperClaim spaces_claim(const std::vector<SpacePicture>& spaces) {
   PaperClaim claim{
       "spaces",
-      kSection,
+      kOutlookSection,
       "Other spaces with a brightness component, YUV, CIELAB, CIELUV, ATD95 and DIN99, "
       "can be used.",
       "The back picture with light on each one's brightness alone: pictures whose every "
@@ -146,7 +146,7 @@ PaperClaim spaces_claim(const std::vector<SpacePicture>& spaces) {
 PaperClaim slow_spaces_claim(const std::vector<FormulaTime>& times) {
   const double yiq = time_of(times, "yiq-phong").milliseconds.median;
   PaperClaim claim{"slow-spaces",
-                   kSection,
+                   kOutlookSection,
                    "CIELAB and CIELUV might not be good choices for real-time processing.",
                    "Frames of Figure 2 on one thread of this machine's processor. Not "
                    "good: fewer than 30 a second, or twice YIQ's time.",
@@ -172,7 +172,7 @@ PaperClaim perceptual_claim(const Image& texture, const std::vector<SpacePicture
   };
   PaperClaim claim{
       "perceptual",
-      kSection,
+      kOutlookSection,
       "ATD95 and DIN99, modelled closely to human perception, give greater illumination "
       "accuracy.",
       "Back picture as displayed where n . L <= 0: how far the CIELAB hue turns from "
@@ -190,7 +190,7 @@ PaperClaim perceptual_claim(const Image& texture, const std::vector<SpacePicture
 PaperClaim realism_claim(const RealPictures& front, const RealPictures& back) {
   PaperClaim claim{
       "realism",
-      kSection,
+      kOutlookSection,
       "Where photo-realism is of higher importance the approach may provide a significant "
       "improvement.",
       "Real lamps add up as linear light, so the real picture here is eq. 3 on the decoded "
@@ -213,7 +213,7 @@ PaperClaim realism_claim(const RealPictures& front, const RealPictures& back) {
 PaperClaim complex_scenes_claim(double flip_near, double flip_far) {
   return {
       "complex-scenes",
-      kSection,
+      kOutlookSection,
       "In scenes of significant complexity the artefacts of classical illumination may not be "
       "easily apparent.",
       "FLIP between Phong's and YIQ's back picture, mean of the picture, as the scene has it and "

@@ -12,7 +12,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr std::size_t kSection = 4;
+constexpr std::size_t kSpeedSection = 4;
 constexpr std::size_t kClassical = 0, kTable1 = 2;  // of kRateShots
 constexpr double kRealTime = 30;                    // frames a second
 constexpr double kNoise = 0.5;                      // percent that costs vary by between runs
@@ -99,7 +99,7 @@ std::vector<std::string> timed_formulas() {
 PaperClaim grid_claim(long long vertices, long long triangles) {
   constexpr double kVertices = 31529, kTriangles = 61440;
   return {"grid",
-          kSection,
+          kSpeedSection,
           "The knot of the performance test has 31529 vertices and 61440 triangles.",
           "Counts of the mesh that Figure 2 is drawn of; and how many whole grids of a x b quads "
           "have (a+1)(b+1) vertices and 2ab triangles, all tried.",
@@ -118,7 +118,7 @@ PaperClaim table_claim(std::span<const PaperRow> rows) {
   const double most = std::ranges::max(costs);
   return {
       "table2",
-      kSection,
+      kSpeedSection,
       "In Table 2 YIQ costs around 1 % with 8x multisampling, 5 % without, some 20 % on the "
       "other cards and as high as 32 %; 30 % in the worst case.",
       "From Table 2's own rates, which must round to the text's figures. The text counts frames "
@@ -141,7 +141,7 @@ PaperClaim slower_claim(std::span<const RateRow> rows) {
   const double decided = slower + faster, open = double(rows.size()) - decided;
   PaperClaim claim{
       "slower",
-      kSection,
+      kSpeedSection,
       "YIQ-based lighting is slower in all instances than classical lighting.",
       "Rows of this machine's table: frames a second that Table 1's listing loses, from pairs of "
       "neighbouring frames. Slower or faster: by more than half a percent, which is what costs "
@@ -176,7 +176,7 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
   const auto low = range(rows, [](const RateRow&r) { return costs_of(r).low; }),
              high = range(rows, [](const RateRow&r) { return costs_of(r).high; });
   PaperClaim claim{"cost",
-                   kSection,
+                   kSpeedSection,
                    "YIQ costs 1 % at best and some 30 % at worst.",
                    "The least and the most of the rows of this machine's table against Table 2's "
                    "least and most, where their 95 % intervals and each round's medians, half a "
@@ -191,7 +191,7 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
 PaperClaim real_time_claim(std::span<const RateRow> rows) {
   PaperClaim claim{
       "real-time",
-      kSection,
+      kSpeedSection,
       "YIQ-based lighting can be used in real time even on a low-end computer.",
       "Frames of Figure 2 a second by Table 1's listing, without any GPU, on "
       "one thread, one sample a pixel. Real time: at least 30; the paper's Atom gave 35 "
@@ -248,7 +248,7 @@ PaperClaim fast_conversion_claim(const Forms& f) {
 PaperClaim half_claim(const Forms& f) {
   const double conversion = f.matrices_slots - f.rgb_slots;
   return {"half",
-          kSection,
+          kSpeedSection,
           "A texture specified in YIQ reduces the number of conversions by half.",
           "Instruction slots of the pixel shader: what of those that eq. 6-8 take beyond eq. 3 a "
           "texture that holds Y, I, Q saves. Half: 40 to 60 %.",
@@ -284,7 +284,7 @@ PaperClaim collapsed_claim(const Forms& f) {
                                         time_of(f.times, "yiq-phong").milliseconds.median);
   constexpr double kFloat = 1e-6;  // colours kept as float
   return {"optimised",
-          kSection,
+          kSpeedSection,
           "As I and Q do not change, the conversion can be optimised to take fewer operations.",
           "The collapsed form against eq. 6-8 by matrices: slots; the largest difference of the "
           "front picture, unlimited; and how much less time a frame takes on one thread.",
@@ -302,7 +302,7 @@ PaperClaim no_compromise_claim(const Forms& f) {
   constexpr double kAround = 1;
   return {
       "no-compromise",
-      kSection,
+      kSpeedSection,
       "A texture in YIQ gives the benefits without compromising the performance.",
       "Frame rate lost beside classical lighting, one thread, from pairs of neighbouring frames. "
       "No compromise: no more than the 1 % that the paper calls the best case.",
@@ -316,7 +316,7 @@ PaperClaim no_compromise_claim(const Forms& f) {
 PaperClaim rgb_output_claim(const Forms& f) {
   return {
       "rgb-output",
-      kSection,
+      kSpeedSection,
       "A limitation is that the pixel shader's colour still has to be RGB, which future APIs may "
       "alleviate.",
       "Instruction slots that eq. 6-8 with a texture in YIQ take beyond eq. 3: the way back to "

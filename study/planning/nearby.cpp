@@ -7,12 +7,11 @@
 #include <numbers>
 #include <vector>
 
+#include "scene/angle.h"
 #include "shaders/number.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 std::array<double, 4> channels(const Sample& s) {
   return {s.color.x, s.color.y, s.color.z, s.coverage};

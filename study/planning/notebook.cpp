@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostError = 1e9;  // what is no number is kept as this
 
-Json judgement_json(const ToleranceResult& j) {
+Json kept_json(const ToleranceResult& j) {
   return {{"error", std::min(j.error, kMostError)},
           {"in_place", std::min(j.in_place, kMostError)},
           {"mean_in_place", std::min(j.mean_in_place, kMostError)},
@@ -78,7 +78,7 @@ void Notebook::keep_at_times() {
 void Notebook::save() {
   Json json{{"key", key_}, {"judgements", Json::object()}, {"rounds", Json::object()}};
   for (const auto& [name, judgement] : judgements_) {
-    json["judgements"][name] = judgement_json(judgement);
+    json["judgements"][name] = kept_json(judgement);
   }
   for (const auto& [name, rounds] : rounds_) {
     for (const FrameRound& round : rounds) {

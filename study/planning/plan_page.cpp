@@ -17,7 +17,7 @@ using Data = mustache::data;
 
 std::string number(double value) { return fmt::format("{:.2g}", value); }
 
-std::string number_or_none(const std::optional<double>& value) {
+std::string number_or_blank(const std::optional<double>& value) {
   return value ? number(*value) : "";
 }
 
@@ -31,7 +31,7 @@ Data list_of(const std::vector<T>& all, const F& row) {
 Data tried_row(const Tried& t) {
   Data row;
   row.set("what", t.what);
-  row.set("predicted", number_or_none(t.bound));
+  row.set("predicted", number_or_blank(t.bound));
   row.set("measured", number(t.change));
   return row;
 }
@@ -40,7 +40,7 @@ Data part_row(const ErrorPart& p) {
   Data row;
   row.set("part", p.name);
   row.set("unit", p.unit);
-  row.set("predicted", number_or_none(p.predicted));
+  row.set("predicted", number_or_blank(p.predicted));
   row.set("measured", number(p.measured));
   return row;
 }
@@ -49,8 +49,8 @@ Data choice_row(const PlanChoice& c) {
   Data row;
   row.set("method", method_name(c.method));
   row.set("place", number(c.predicted.place));
-  row.set("shading", number_or_none(c.predicted.shading));
-  row.set("filter", number_or_none(c.predicted.filter));
+  row.set("shading", number_or_blank(c.predicted.shading));
+  row.set("filter", number_or_blank(c.predicted.filter));
   row.set("error", number(c.judgement.error));
   row.set("class", c.judgement.met ? "met" : "not");
   row.set("time", c.milliseconds > 0 ? fmt::format("{:.2f}", c.milliseconds) : "");

@@ -64,7 +64,7 @@ Json times_json(const Plan& plan) {
           {"times_faster_than_fast", plan.fast_milliseconds / after}};
 }
 
-std::string number_or_none(const std::optional<double>& value) {
+std::string number_or_dash(const std::optional<double>& value) {
   return value ? fmt::format("{:.2g}", *value) : "-";
 }
 
@@ -73,7 +73,7 @@ std::string dropped_text(const Plan& plan) {
   std::string text =
       fmt::format("  {:<40} {:>10} {:>10}\n", "left out or simpler", "predicted", "measured");
   for (const Tried& t : plan.dropping.dropped) {
-    text += fmt::format("  {:<40} {:>10} {:>10.2g}\n", t.what, number_or_none(t.bound), t.change);
+    text += fmt::format("  {:<40} {:>10} {:>10.2g}\n", t.what, number_or_dash(t.bound), t.change);
   }
   return text + fmt::format("  {:<40} {:>10.2g} {:>10.2g}\n", "all of it, of a share of",
                             plan.share, plan.dropping.change);
@@ -112,7 +112,7 @@ std::string parts_text(const Plan& plan) {
   std::string text;
   for (const ErrorPart& p : plan.parts) {
     text += fmt::format("  {:<40} {:>10} {:>10.2g}\n", p.name + ", " + p.unit,
-                        number_or_none(p.predicted), p.measured);
+                        number_or_dash(p.predicted), p.measured);
   }
   return text;
 }

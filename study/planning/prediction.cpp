@@ -10,11 +10,11 @@
 #include "meshgen/sharpest_bend.h"
 #include "render/fast_renderer.h"
 #include "render/projection.h"
+#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRounding = 0x1p-24;  // of float, relative
 
 /// The most that cos^k changes with its angle, a radian.

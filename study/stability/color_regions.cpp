@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 
+#include "scene/angle.h"
 #include "scene/fields.h"
 #include "shaders/matrix3.h"
 #include "study/stability/regions.h"
@@ -10,8 +11,6 @@
 
 namespace lumaknot {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// The colours of the RGB cube in steps of a fifth.
 const std::vector<Vec3d>& cube() {

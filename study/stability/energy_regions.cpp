@@ -1,15 +1,13 @@
 // Models that send back more light than they get.
 #include <algorithm>
-#include <numbers>
 
+#include "scene/angle.h"
 #include "study/stability/energy.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The knot as a furnace would show it: each point as bright as the share that the term sends back
 /// at its n.v, up to `most` degrees; red where that is above 1.

@@ -1,8 +1,8 @@
 // How rings stand along the centre line.
 #include <limits>
-#include <numbers>
 
 #include "meshgen/frames.h"
+#include "scene/angle.h"
 #include "scene/error.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
@@ -10,7 +10,6 @@
 namespace lumaknot {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kSide = 360.0 / 40;  // degrees that a side of figure2's tube takes
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

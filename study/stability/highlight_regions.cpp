@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "scene/angle.h"
 #include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
@@ -11,8 +11,6 @@
 
 namespace lumaknot {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The knot with its highlight alone.
 Scene highlight_scene(Model model, double shininess) {

@@ -4,14 +4,13 @@
 
 #include "meshgen/spine.h"
 #include "render/fast_renderer.h"
+#include "scene/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 #include "study/stability/textbook.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 template <class Unit>
 FragmentColor lambert_by(const Scene& scene, double scale, Unit unit_of) {

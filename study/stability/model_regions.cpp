@@ -1,16 +1,14 @@
 // Models of surfaces that divide.
 #include <algorithm>
 #include <array>
-#include <numbers>
 
+#include "scene/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/sketch.h"
 #include "study/stability/textbook.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Some unit normals in float.
 std::vector<Vec3<float>> normals() {
