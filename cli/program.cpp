@@ -12,8 +12,7 @@ namespace lumaknot {
 namespace {
 
 void tell(std::string message) {
-  std::ranges::replace_if(
-      message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  std::ranges::replace_if(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot: {}\n", message);
 }
 

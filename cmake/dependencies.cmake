@@ -7,7 +7,7 @@ set(why "")
 # lumaknot_find(PACKAGE MODULE [VERSION]): a library with CMake files. The version is compared here: some
 # of those files take a newer major version for an incompatible one.
 macro(lumaknot_find package module)
-  find_package(${module} QUIET)
+  find_package(${module} QUIET CONFIG)
   lumaknot_check(${package} ${module} "${ARGN}")
 endmacro()
 
@@ -60,7 +60,8 @@ lumaknot_find_header(libkainjow-mustache-dev mustache kainjow/mustache.hpp)
 lumaknot_find_header(libvulkan-dev vulkan_headers vulkan/vulkan_raii.hpp)
 if(LUMAKNOT_TESTS)
   lumaknot_find(libgmock-dev GTest)
-  lumaknot_find(python3 Python3)
+  find_package(Python3 QUIET)
+  lumaknot_check(python3 Python3 "")
 endif()
 if(LUMAKNOT_BENCH)
   lumaknot_find(libbenchmark-dev benchmark)

@@ -22,8 +22,7 @@ using Write = void (*)(const std::filesystem::path& path, const TriangleMesh& me
 template <void (*write)(std::ostream&, const TriangleMesh&, const MeshFileOptions&)>
 void write_whole(const std::filesystem::path& path, const TriangleMesh& mesh,
                  const MeshFileOptions& options, std::string_view flag) {
-  write_file(
-      path, [&](std::ostream& stream) { write(stream, mesh, options); }, flag);
+  write_file(path, [&](std::ostream& stream) { write(stream, mesh, options); }, flag);
 }
 
 void write_glb_stream(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions&) {

@@ -35,8 +35,7 @@ std::string material_text(const Scene& scene, std::string_view texture_file) {
 
 Package obj_materials(const Scene& scene, const std::string& name) {
   std::string plain = name;
-  std::ranges::replace_if(
-      plain, [](char c) { return c == ' ' || c == '#'; }, '_');
+  std::ranges::replace_if(plain, [](char c) { return c == ' ' || c == '#'; }, '_');
   Package package;
   if (const auto* image = std::get_if<TextureImage>(&scene.texture)) {
     package.push_back({plain + ".texture.png", texture_png(*image)});

@@ -28,8 +28,7 @@ Error file_error(std::string_view name, std::string_view unit, std::uint64_t pla
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t kMost = 24;
   std::string text(word.substr(0, kMost));
-  std::ranges::replace_if(
-      text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
   return word.size() > kMost ? text + "..." : text;
 }
 

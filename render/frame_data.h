@@ -6,6 +6,9 @@
 #include <limits>
 #include <span>
 #include <vector>
+#if __has_include(<xsimd/config/xsimd_inline.hpp>)
+#include <xsimd/config/xsimd_inline.hpp>  // xsimd 13's allocator uses it and includes it not
+#endif
 #include <xsimd/memory/xsimd_aligned_allocator.hpp>
 
 #include "render/fast_renderer.h"

@@ -9,6 +9,16 @@
 
 namespace lumaknot {
 
+/// The bits of a batch as those of a `Batch`; xsimd 9 and later want the name of its element.
+template <class Batch, class T, class A>
+Batch bits_as(const xsimd::batch<T, A>& x) {
+#if XSIMD_VERSION_MAJOR < 9
+  return xsimd::bitwise_cast<Batch>(x);
+#else
+  return xsimd::bitwise_cast<typename Batch::value_type>(x);
+#endif
+}
+
 /// As many floats as the instructions `A` hold. Every function of it is a template over A, so that
 /// code compiled for one processor is never linked in place of another's.
 template <class A>
@@ -92,11 +102,10 @@ template <class A>
 Floats<A> log2(const Floats<A>& x) {
   using Whole = xsimd::batch<std::int32_t, A>;
   constexpr std::int32_t kHalfRoot = 0x3f3504f3;  // of sqrt(1/2), the least m
-  const Whole bits = xsimd::bitwise_cast<Whole>(x.v);
+  const Whole bits = bits_as<Whole>(x.v);
   const Whole exponent = (bits - Whole(kHalfRoot)) >> 23;
   const Floats<A> t =
-      Floats<A>(xsimd::bitwise_cast<typename Floats<A>::Batch>(bits - (exponent << 23))) -
-      Floats<A>(1);
+      Floats<A>(bits_as<typename Floats<A>::Batch>(bits - (exponent << 23))) - Floats<A>(1);
   constexpr double kTerms[] = {0.1258370578289032,   -0.20726975798606873, 0.21571560204029083,
                                -0.23894481360912323, 0.28791624307632446,  -0.3607036769390106,
                                0.48091062903404236,  -0.7213473320007324,  1.4426950216293335};
@@ -112,8 +121,7 @@ Floats<A> exp2(const Floats<A>& x) {
   constexpr double kTerms[] = {0.0013276472454890609, 0.009675540961325169, 0.05550713092088699,
                                0.24022120237350464,   0.6931469440460205,   1.0000001192092896};
   const auto scale = (xsimd::to_int(whole.v) + 127) << 23;
-  return polynomial(limited - whole, kTerms) *
-         Floats<A>(xsimd::bitwise_cast<typename Floats<A>::Batch>(scale));
+  return polynomial(limited - whole, kTerms) * Floats<A>(bits_as<typename Floats<A>::Batch>(scale));
 }
 
 template <class A>

@@ -62,8 +62,8 @@ struct Between {
   }
   friend Between operator*(const Between& a, const Between& b) {
     const double products[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-    const auto [low, high] = std::ranges::minmax(products);
-    return {low, high};
+    const auto [least, most] = std::ranges::minmax(products);
+    return {least, most};
   }
 };
 

@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> kTruthNames{"point", "area"};
 /// One number of Errors.
 struct Metric {
   std::string_view name, about;
-  double Errors::*value;
+  double Errors::* value;
 };
 
 /// rmse, p99.9, max, deltae, deltae-p99.9, deltae-max, flip.

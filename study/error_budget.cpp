@@ -269,7 +269,7 @@ double root_mean_square(const Grid<float>& values, long long count) {
 }
 
 /// What a stage changes: the mean of its change in the method and in the truth.
-ErrorMap mean_change(const Pictures& p, ErrorMap Swapped::*stage) {
+ErrorMap mean_change(const Pictures& p, ErrorMap Swapped::* stage) {
   ErrorMap change = minus(p.method.plain, p.method.*stage);
   const ErrorMap in_truth = minus(p.truth.*stage, p.truth.plain);
   for (std::size_t i = 0; i < change.pixels.size(); ++i) {
@@ -309,7 +309,7 @@ ErrorBudget error_budget(const Scene& scene, const KnotSpec& knot, const BudgetO
   const auto add = [&](const char* name, const char* form, ErrorMap map) {
     budget.parts.push_back(covered.part(name, form, std::move(map)));
   };
-  const auto add_swapped = [&](const char* name, const char* form, ErrorMap Swapped::*stage) {
+  const auto add_swapped = [&](const char* name, const char* form, ErrorMap Swapped::* stage) {
     add(name, form, mean_change(swapped, stage));
   };
   add_swapped("tessellation", "the exact tube", &Swapped::tessellation);

@@ -89,8 +89,7 @@ void run(const std::vector<std::string>& arguments) {
 
 /// In one line, whatever it quotes.
 int tell(std::string message, int exit_code) {
-  std::ranges::replace_if(
-      message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  std::ranges::replace_if(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot-embree: {}\n", message);
   return exit_code;
 }

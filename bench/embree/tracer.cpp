@@ -35,10 +35,17 @@ Tracer::Tracer(const gpu::Mesh& mesh) : device_(rtcNewDevice(nullptr)) {
 }
 
 void Tracer::trace(const int* valid, RTCRayHit16& rays) const {
+#if RTC_VERSION_MAJOR < 4
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene_.get(), &context, &rays);
+#else
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(valid, scene_.get(), &rays, &arguments);
+#endif
 }
 
 std::string Tracer::version() const {

@@ -1,7 +1,11 @@
 /// A mesh for Embree's rays.
 #pragma once
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <memory>
 #include <string>
@@ -19,7 +23,7 @@ class Tracer {
   /// Intersects sixteen rays that run alongside each other; those with valid[i] of 0 are left out.
   void trace(const int* valid, RTCRayHit16& rays) const;
 
-  /// "Embree 3.13.5"
+  /// "Embree 4.3.3"
   std::string version() const;
 
  private:

@@ -60,8 +60,8 @@ Floats<A> floor(const Floats<A>& x) {
 template <class A>
 Ints<A> wrapped_product(const Ints<A>& a, const Ints<A>& b) {
   using Unsigned = xsimd::batch<std::uint32_t, A>;
-  const Unsigned product = xsimd::bitwise_cast<Unsigned>(a) * xsimd::bitwise_cast<Unsigned>(b);
-  return xsimd::bitwise_cast<Ints<A>>(product);
+  const Unsigned product = bits_as<Unsigned>(a) * bits_as<Unsigned>(b);
+  return bits_as<Ints<A>>(product);
 }
 
 /// values[index] of each lane.
@@ -106,7 +106,7 @@ inline void store_bytes(const Ints<xsimd::avx512bw>& values, std::uint8_t* to) {
 /// The bits as floats.
 template <class A>
 Floats<A> as_floats(const Ints<A>& bits) {
-  return xsimd::bitwise_cast<typename Floats<A>::Batch>(bits);
+  return bits_as<typename Floats<A>::Batch>(bits);
 }
 
 inline constexpr int kSubpixelBits = 10;
@@ -127,7 +127,7 @@ I last_pixel(const I& most, bool centres) {
 /// The floats' bits.
 template <class A>
 Ints<A> as_ints(const Floats<A>& x) {
-  return xsimd::bitwise_cast<Ints<A>>(x.v);
+  return bits_as<Ints<A>>(x.v);
 }
 
 /// The three corners of each lane's triangle.

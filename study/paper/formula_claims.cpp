@@ -103,8 +103,8 @@ Image plain_picture(const PaperScenes& scenes, const Vec3d& color) {
 
 PaperClaim eq1_claim(std::span<const LitPoint> points) {
   const auto right = [](const LitPoint& p) { return p.diffuse; };
-  const Change worded = over(
-      points, [](const LitPoint& p) { return eq1_as_worded(p.directions); }, right);
+  const Change worded =
+      over(points, [](const LitPoint& p) { return eq1_as_worded(p.directions); }, right);
   return {
       "eq1",
       0,
@@ -128,8 +128,8 @@ PaperClaim delimited_claim(std::span<const LitPoint> points) {
 
 PaperClaim eq2_claim(std::span<const LitPoint> points, double shininess) {
   const auto right = [](const LitPoint& p) { return p.specular; };
-  const Change printed = over(
-      points, [](const LitPoint& p) { return eq2_as_printed(p.directions); }, right);
+  const Change printed =
+      over(points, [](const LitPoint& p) { return eq2_as_printed(p.directions); }, right);
   const Change repaired = over(
       points, [&](const LitPoint& p) { return std::pow(eq2_with_n(p.directions), shininess); },
       right);

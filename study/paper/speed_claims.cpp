@@ -136,8 +136,8 @@ PaperClaim slower_claim(std::span<const RateRow> rows) {
   const auto count = [&](auto is) {
     return double(std::ranges::count_if(rows, [&](const RateRow& r) { return is(costs_of(r)); }));
   };
-  const double slower = count([](const Interval&c) { return c.low > kNoise; }),
-               faster = count([](const Interval&c) { return c.high < -kNoise; });
+  const double slower = count([](const Interval& c) { return c.low > kNoise; }),
+               faster = count([](const Interval& c) { return c.high < -kNoise; });
   const double decided = slower + faster, open = double(rows.size()) - decided;
   PaperClaim claim{
       "slower",
@@ -173,8 +173,8 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
   };
   const auto theirs = range(paper, [](const PaperRow& r) { return cost_of(r); });
   const auto ours = range(rows, [](const RateRow& r) { return cost_of(r); });
-  const auto low = range(rows, [](const RateRow&r) { return costs_of(r).low; }),
-             high = range(rows, [](const RateRow&r) { return costs_of(r).high; });
+  const auto low = range(rows, [](const RateRow& r) { return costs_of(r).low; }),
+             high = range(rows, [](const RateRow& r) { return costs_of(r).high; });
   PaperClaim claim{"cost",
                    kSpeedSection,
                    "YIQ costs 1 % at best and some 30 % at worst.",

@@ -222,9 +222,8 @@ TEST(BlenderPackage, light_at_vertices_is_refused_with_the_nearest_thing) {
   Shot shot = shots()[3];
   shot.material.rate = Rate::kVertex;
   for (const ShotShaders shaders : {ShotShaders::kNodes, ShotShaders::kOsl}) {
-    const std::string error = error_of([&] {
-      blender_package(small_scene(), {&shot, 1}, "k", shaders);
-    });
+    const std::string error =
+        error_of([&] { blender_package(small_scene(), {&shot, 1}, "k", shaders); });
     EXPECT_THAT(error, HasSubstr("material.rate is \"vertex\""));
     EXPECT_THAT(error, HasSubstr("nearest is rate \"pixel\""));
   }

@@ -49,18 +49,15 @@ TEST(WritePackage, every_file_is_written_as_it_is) {
 TEST(WritePackage, the_file_that_is_opened_is_missing_when_another_cannot_be_written) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "a.bin");  // where a file should go
-  const std::string error = error_of([&] {
-    write_package(folder.path(), {{"a.bin", "x"}, {"b.py", "y"}}, "--output");
-  });
+  const std::string error =
+      error_of([&] { write_package(folder.path(), {{"a.bin", "x"}, {"b.py", "y"}}, "--output"); });
   EXPECT_THAT(error, HasSubstr("--output"));
   EXPECT_FALSE(std::filesystem::exists(folder / "b.py"));
 }
 
 TEST(WritePackage, missing_folder_is_refused_naming_the_flag) {
   const TemporaryFolder folder;
-  EXPECT_THAT(error_of([&] {
-                write_package(folder / "none", {{"a", "x"}}, "--output");
-              }),
+  EXPECT_THAT(error_of([&] { write_package(folder / "none", {{"a", "x"}}, "--output"); }),
               HasSubstr("--output"));
   EXPECT_THAT(folder.names(), IsEmpty());
 }

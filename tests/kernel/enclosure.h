@@ -138,13 +138,11 @@ Box box_of(const Node& node, const std::vector<Box>& a, const rounding::Inputs& 
         return rounded(same ? square(x) : product(x, y), Errors::kRounding);
       });
     case Op::kMaximum:
-      return both([](auto x, auto y) {
-        return Range{std::max(x.low, y.low), std::max(x.high, y.high)};
-      });
+      return both(
+          [](auto x, auto y) { return Range{std::max(x.low, y.low), std::max(x.high, y.high)}; });
     case Op::kMinimum:
-      return both([](auto x, auto y) {
-        return Range{std::min(x.low, y.low), std::min(x.high, y.high)};
-      });
+      return both(
+          [](auto x, auto y) { return Range{std::min(x.low, y.low), std::min(x.high, y.high)}; });
     case Op::kSaturate:
       return each(a[0], a[0], [](auto x, auto) {
         return Range{std::clamp(x.low, 0.0, 1.0), std::clamp(x.high, 0.0, 1.0)};
@@ -154,8 +152,7 @@ Box box_of(const Node& node, const std::vector<Box>& a, const rounding::Inputs& 
     case Op::kPower:
       return scalar(power_range<Errors>(a[0][0], a[1][0]));
     case Op::kExp:
-      return scalar(monotone(
-          a[0][0], [](double x) { return std::exp(x); }, Errors::exponential));
+      return scalar(monotone(a[0][0], [](double x) { return std::exp(x); }, Errors::exponential));
     case Op::kLog:
       return scalar({std::log(a[0][0].low) - Errors::logarithm(a[0][0].low),
                      std::log(a[0][0].high) + Errors::logarithm(a[0][0].high)});

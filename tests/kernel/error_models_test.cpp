@@ -39,23 +39,15 @@ const std::vector<Function>& functions() {
       {"power", [](auto& a, auto& b) { return power(abs(a), b); },
        [](double a, double b) { return std::pow(a, b); }, power_operands},
       {"exp", [](auto& a, auto&) { return exp(a); }, [](double a, double) { return std::exp(a); },
-       [](RandomSurface& r) {
-         return Vec3d{r.number(-20, 20), 0, 0};
-       }},
+       [](RandomSurface& r) { return Vec3d{r.number(-20, 20), 0, 0}; }},
       {"log", [](auto& a, auto&) { return log(max(a, Scalar(1e-9))); },
        [](double a, double) { return std::log(a); },
-       [](RandomSurface& r) {
-         return Vec3d{log_uniform(r, 1e-6, 100), 0, 0};
-       }},
+       [](RandomSurface& r) { return Vec3d{log_uniform(r, 1e-6, 100), 0, 0}; }},
       {"sqrt", [](auto& a, auto&) { return sqrt(abs(a)); },
        [](double a, double) { return std::sqrt(a); },
-       [](RandomSurface& r) {
-         return Vec3d{log_uniform(r, 1e-12, 1e6), 0, 0};
-       }},
+       [](RandomSurface& r) { return Vec3d{log_uniform(r, 1e-12, 1e6), 0, 0}; }},
       {"division", [](auto& a, auto& b) { return a / b; }, [](double a, double b) { return a / b; },
-       [](RandomSurface& r) {
-         return Vec3d{r.number(-2, 2), log_uniform(r, 1e-6, 1e6), 0};
-       }},
+       [](RandomSurface& r) { return Vec3d{r.number(-2, 2), log_uniform(r, 1e-6, 1e6), 0}; }},
       {"unit", [](auto& a, auto& b) { return x_of(unit(make_vec(a, b, b))); },
        [](double a, double b) { return a / std::sqrt(a * a + 2 * b * b); },
        [](RandomSurface& r) {

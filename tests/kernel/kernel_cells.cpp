@@ -25,14 +25,9 @@ const std::vector<Variant>& variants() {
       {"directional", [](ShaderJob& job) { job.view.lights = {DirectionalLight{}}; }},
       {"spot", [](ShaderJob& job) { job.view.lights = {SpotLight{}}; }},
       {"three lights",
-       [](ShaderJob& job) {
-         job.view.lights = {PointLight{}, DirectionalLight{}, SpotLight{}};
-       }},
+       [](ShaderJob& job) { job.view.lights = {PointLight{}, DirectionalLight{}, SpotLight{}}; }},
       {"as the scene needs", [](ShaderJob& job) { job.keep = Keep::kNeeded; }},
-      {"plain colour",
-       [](ShaderJob& job) {
-         job.color = Vec3d{0.7, 0.5, 0.25};
-       }},
+      {"plain colour", [](ShaderJob& job) { job.color = Vec3d{0.7, 0.5, 0.25}; }},
   };
   return kVariants;
 }

@@ -26,7 +26,7 @@ const Curve kKnots[] = {line_of(2, 3), line_of(-2, 3), line_of(2, -3), line_of(1
                         line_of(0, 1), line_of(5, 2),  line_of(1, 1),  line_of(-7, -4)};
 
 /// The largest distance of a derivative from the central difference, step `h`, of the one before.
-double difference_error(const Curve& knot, Vec3d CurvePoint::*of, Vec3d CurvePoint::*derivative,
+double difference_error(const Curve& knot, Vec3d CurvePoint::* of, Vec3d CurvePoint::* derivative,
                         double h) {
   double worst = 0;
   for (int i = 0; i < 97; ++i) {

@@ -60,7 +60,7 @@ TEST(ExtremeLengths, beyond_double_precision_is_an_error_that_quotes_them) {
 }
 
 TEST(ExtremeLengths, one_huge_length_among_ordinary_ones_is_drawn_or_refused) {
-  for (double KnotSpec::*field :
+  for (double KnotSpec::* field :
        {&KnotSpec::ring_radius, &KnotSpec::winding_radius, &KnotSpec::tube_radius}) {
     for (const double value : {1e200, 1e300}) {
       KnotSpec knot = scaled_knot(1);

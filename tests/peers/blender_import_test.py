@@ -91,16 +91,24 @@ class Importer:
 
 
 def importers():
-    """All that read our formats. The older one of .obj left Blender with 4.0."""
+    """All that read our formats. The ones in Python left Blender with 4.0 (.obj, .ply) and 4.2."""
     import bpy
+    # With 4.1 auto smooth left, and faces of .obj files became smooth like those of the others:
+    # 3.1e-4 in place of 5.5e-5.
+    flat = bpy.app.version < (4, 1)
     yield Importer(".obj", ".obj", lambda path: bpy.ops.wm.obj_import(
-        filepath=path, forward_axis="Y", up_axis="Z"), sewn=True, normals=NORMAL, quads=True)
+        filepath=path, forward_axis="Y", up_axis="Z"), sewn=True,
+        normals=NORMAL if flat else SMOOTH_NORMAL, quads=True)
     if bpy.app.version < (4, 0):
         yield Importer(".obj in Python", ".obj", lambda path: bpy.ops.import_scene.obj(
             filepath=path, axis_forward="Y", axis_up="Z"), sewn=True, quads=True)
-    yield Importer(".ply", ".ply", lambda path: bpy.ops.import_mesh.ply(filepath=path),
-                   normals=0, quads=True)
-    yield Importer(".stl", ".stl", lambda path: bpy.ops.import_mesh.stl(filepath=path),
+        yield Importer(".ply", ".ply", lambda path: bpy.ops.import_mesh.ply(filepath=path),
+                       normals=0, quads=True)
+    else:
+        yield Importer(".ply", ".ply", lambda path: bpy.ops.wm.ply_import(filepath=path),
+                       quads=True)
+    read_stl = bpy.ops.import_mesh.stl if bpy.app.version < (4, 2) else bpy.ops.wm.stl_import
+    yield Importer(".stl", ".stl", lambda path: read_stl(filepath=path),
                    sewn=True, uvs=False, normals=0)
     for suffix in (".glb", ".gltf"):
         yield Importer(suffix, suffix, lambda path: bpy.ops.import_scene.gltf(filepath=path),
@@ -123,6 +131,15 @@ def column(collection, name, width):
     values = np.empty(width * len(collection), np.float32)
     collection.foreach_get(name, values)
     return values.reshape(-1, width) if width > 1 else values
+
+
+def loop_normals(mesh):
+    """The normals of its faces' corners, a row each."""
+    import bpy
+    if bpy.app.version >= (4, 1):
+        return column(mesh.corner_normals, "vector", 3)
+    mesh.calc_normals_split()
+    return column(mesh.loops, "normal", 3)
 
 
 @dataclass
@@ -159,8 +176,7 @@ def blender_corners(thing, importer, tangents):
     if importer.uvs:
         corners.uvs = column(mesh.uv_layers[0].data, "uv", 2).reshape(shape)
     if importer.normals:
-        mesh.calc_normals_split()
-        corners.normals = (column(mesh.loops, "normal", 3) @ turn.T).reshape(shape)
+        corners.normals = (loop_normals(mesh) @ turn.T).reshape(shape)
     if tangents:
         mesh.calc_tangents(uvmap=mesh.uv_layers[0].name)
         along = column(mesh.loops, "tangent", 3) @ turn.T

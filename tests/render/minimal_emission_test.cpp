@@ -46,9 +46,7 @@ std::vector<Dropped> dropped_terms() {
       {"falloff and the colour of light", [](Scene& s) { s.view.lights = {PointLight{}}; }},
       {"distance", [](Scene& s) { s.view.lights = {DirectionalLight{}}; }},
       {"light", [](Scene& scene) { scene.view.lights.clear(); }},
-      {"texture", [](Scene& scene) {
-         scene.texture = Vec3d{0.7, 0.5, 0.25};
-       }}};
+      {"texture", [](Scene& scene) { scene.texture = Vec3d{0.7, 0.5, 0.25}; }}};
   const std::vector<Dropped> some(terms.begin() + 2, terms.end() - 2);
   terms.push_back({"all of these", [some](Scene& scene) {
                      for (const Dropped& term : some) term.apply(scene);

@@ -89,7 +89,9 @@ TEST_F(AtomicFileTest, without_a_commit_the_old_content_stays_and_the_temporary_
 }
 
 TEST_F(AtomicFileTest, without_a_commit_a_new_file_never_appears) {
-  { AtomicFile file(folder / "a.txt", "--output"); }
+  {
+    AtomicFile file(folder / "a.txt", "--output");
+  }
   EXPECT_EQ(entries(), 0u);
 }
 

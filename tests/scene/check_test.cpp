@@ -23,13 +23,9 @@ std::string knot_refusal(const KnotSpec& knot, const std::string& prefix) {
 TEST(CheckInteger, accepts_the_ends_of_its_range_and_nothing_beyond) {
   EXPECT_NO_THROW(check_integer("--n", 3, {3, 5}));
   EXPECT_NO_THROW(check_integer("--n", 5, {3, 5}));
-  EXPECT_EQ(error_of([] {
-              check_integer("--n", 2, {3, 5});
-            }),
+  EXPECT_EQ(error_of([] { check_integer("--n", 2, {3, 5}); }),
             "--n must be an integer from 3 to 5, got 2");
-  EXPECT_EQ(error_of([] {
-              check_integer("--n", 4294967300, {3, 5});
-            }),
+  EXPECT_EQ(error_of([] { check_integer("--n", 4294967300, {3, 5}); }),
             "--n must be an integer from 3 to 5, got 4294967300");
 }
 
@@ -114,7 +110,7 @@ TEST(CheckKnot, calls_fields_by_the_prefix_it_is_given) {
 }
 
 TEST(CheckKnot, refuses_lengths_that_are_not_positive_and_finite) {
-  for (double KnotSpec::*field :
+  for (double KnotSpec::* field :
        {&KnotSpec::ring_radius, &KnotSpec::winding_radius, &KnotSpec::tube_radius}) {
     for (const double value : {0.0, -1.0, kInfinity, kNaN}) {
       KnotSpec knot;

@@ -52,7 +52,7 @@ std::vector<Place> random_places() {
 /// `m` with the numbers of its model at their ends, as far as scenes allow.
 std::vector<Material> edge_materials(const Material& m) {
   std::vector<Material> result{m};
-  const auto add = [&](double Material::*number, double value) {
+  const auto add = [&](double Material::* number, double value) {
     result.push_back(m);
     result.back().*number = value;
   };

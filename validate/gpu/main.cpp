@@ -84,8 +84,7 @@ void run(const std::vector<std::string>& arguments) {
 
 /// Bad input in one line, whatever it quotes.
 void tell(std::string message) {
-  std::ranges::replace_if(
-      message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  std::ranges::replace_if(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot-gpu: {}\n", message);
 }
 
