@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "cli/layout.h"
+
 namespace lumaknot {
 namespace {
 
@@ -16,14 +18,10 @@ struct Overloaded : Fs... {
 template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
 
-std::string text_of(const std::string& value) { return value; }
-std::string text_of(int value) { return std::to_string(value); }
-
-template <class T>
-std::string joined(const std::vector<T>& values) {
-  std::string text;
-  for (const T& value : values) text += (text.empty() ? "" : ",") + text_of(value);
-  return text;
+std::string numbers(const std::vector<int>& values) {
+  std::vector<std::string> words;
+  for (const int value : values) words.push_back(std::to_string(value));
+  return joined(words, ",");
 }
 
 template <class T>
@@ -75,13 +73,14 @@ std::string placeholder(const Argument& argument) {
 
 std::string default_of(const Argument& argument) {
   if (!argument.default_text.empty()) return argument.default_text;
-  return std::visit(Overloaded{[](int* value) { return std::to_string(*value); },
-                               [](double* value) { return fmt::format("{}", *value); },
-                               [](std::string* value) { return *value; },
-                               [](std::vector<int>* values) { return joined(*values); },
-                               [](std::vector<std::string>* values) { return joined(*values); },
-                               [](const auto&) { return std::string(); }},
-                    argument.target);
+  return std::visit(
+      Overloaded{[](int* value) { return std::to_string(*value); },
+                 [](double* value) { return fmt::format("{}", *value); },
+                 [](std::string* value) { return *value; },
+                 [](std::vector<int>* values) { return numbers(*values); },
+                 [](std::vector<std::string>* values) { return joined(*values, ","); },
+                 [](const auto&) { return std::string(); }},
+      argument.target);
 }
 
 Completion completion_of(const Argument& argument) {

@@ -29,7 +29,7 @@ inline constexpr std::string_view kFile = "FILE", kFolder = "FOLDER", kProgram =
 struct Argument {
   std::string names;  ///< "-o,--output"; a positional argument's name has no dashes
   Target target = static_cast<bool*>(nullptr);
-  std::string_view meaning;       ///< one phrase, without a full stop
+  std::string_view meaning = {};  ///< one phrase, without a full stop
   std::string_view value = {};    ///< placeholder; empty: by the target's type
   std::string default_text = {};  ///< empty: the target's value
   std::vector<std::string> choices = {};
@@ -38,10 +38,10 @@ struct Argument {
   bool required = false;
   bool list = false;    ///< several values, separated by commas
   bool greedy = false;  ///< the flag's values may also follow each other as separate words
-  std::string_view when_alone = {};             ///< the value of a flag that is given without one
-  std::string_view needs = {};                  ///< a flag that must be given too
-  std::vector<std::string_view> excludes = {};  ///< flags that must not be given too
-  std::string_view heading = "Options";         ///< of help
+  std::string_view when_alone = {};        ///< the value of a flag that is given without one
+  std::string_view needs = {};             ///< a flag that must be given too
+  std::vector<std::string> excludes = {};  ///< flags that must not be given too
+  std::string_view heading = "Options";    ///< of help
 };
 
 /// What a command is for: the sections of `lumaknot --help`, which leaves out kHidden.

@@ -6,12 +6,6 @@ std::string brief(const Argument& argument) {
   return std::string(argument.meaning.substr(0, argument.meaning.find(';')));
 }
 
-std::string words_line(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
 std::string single_quoted(std::string_view text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);

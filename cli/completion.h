@@ -20,9 +20,6 @@ std::string fish_completion(const Subcommand& program, std::span<const Subcomman
 /// The meaning up to its first semicolon, for lists of candidates.
 std::string brief(const Argument& argument);
 
-/// `words` with a space after each but the last.
-std::string words_line(const std::vector<std::string>& words);
-
 /// `text` in single quotes, as bash, zsh and fish read it.
 std::string single_quoted(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/completion.h"
+#include "cli/layout.h"
 
 namespace lumaknot {
 namespace {
@@ -60,7 +61,7 @@ std::string pattern(const Subcommand& command, const std::vector<std::string>& n
 
 std::string entry(const Argument& argument, const std::string& pattern) {
   std::string text = fmt::format("    {}) kind={}", pattern, kKinds[int(completion_of(argument))]);
-  if (!argument.choices.empty()) text += " words=" + single_quoted(words_line(argument.choices));
+  if (!argument.choices.empty()) text += " words=" + single_quoted(joined(argument.choices, " "));
   return text + " ;;\n";
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/completion.h"
+#include "cli/layout.h"
 
 namespace lumaknot {
 namespace {
@@ -38,8 +39,8 @@ std::string fish_quoted(std::string_view text) {
 /// needed.
 std::string value_options(const Argument& argument) {
   if (!takes_value(argument)) return " -f";
-  const std::string needed = is_positional(argument) || !argument.when_alone.empty() ? "" : " -r";
-  const std::string words = words_line(argument.choices);
+  const std::string needed = is_positional(argument) ? "" : " -r";
+  const std::string words = joined(argument.choices, " ");
   switch (completion_of(argument)) {
     case Completion::kNone:
       return needed + " -f";

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/completion.h"
+#include "cli/layout.h"
 
 namespace lumaknot {
 namespace {
@@ -12,7 +13,7 @@ _lumaknot_scenes() {
 }
 
 _lumaknot_programs() {
-  _alternative 'commands:program:_path_commands' 'files:program:_files'
+  _command_names -e || _files
 }
 
 # Sourced, this file defines the completion; found in $fpath, it is the completion.
@@ -36,7 +37,7 @@ std::string escaped(std::string_view text, std::string_view divide) {
 
 /// The action of _arguments that completes a value.
 std::string action(const Argument& argument) {
-  const std::string words = words_line(argument.choices);
+  const std::string words = joined(argument.choices, " ");
   switch (completion_of(argument)) {
     case Completion::kNone:
       return " ";
@@ -68,7 +69,7 @@ std::string positional_spec(const Argument& argument) {
 std::string flag_spec(const Argument& argument, const std::string& name) {
   std::string spec = is_repeatable(argument) && !argument.list
                          ? "*"
-                         : fmt::format("({})", words_line(names_of(argument)));
+                         : fmt::format("({})", joined(names_of(argument), " "));
   spec += name;
   const bool optional = !argument.when_alone.empty();
   if (takes_value(argument)) spec += name.starts_with("--") ? "=" : "+";
@@ -112,11 +113,11 @@ std::string zsh_completion(const Subcommand&, std::span<const Subcommand> comman
       "_lumaknot() {{\n"
       "  local curcontext=$curcontext state line\n"
       "  typeset -A opt_args\n"
-      "  local -a commands=(\n{}  )\n"
+      "  local -a known=(\n{}  )\n"
       "  _arguments -C '(- *)'{{-h,--help}}'[print help]' '(- *)--version[print the version]' \\\n"
       "    '1:command:->command' '*::argument:->arguments'\n"
       "  case $state in\n"
-      "    command) _describe -V command commands ;;\n"
+      "    command) _describe -V command known ;;\n"
       "    arguments) case $words[1] in\n{}    esac ;;\n"
       "  esac\n}}\n{}",
       described(commands), cases, kScript);

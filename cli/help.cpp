@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t kMostChoices = 12;  // more are left to completion and --list
 
-template <class Words>
-std::string joined(const Words& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
 std::string range_text(const Bound& range) {
   if (range.max < std::numeric_limits<double>::max()) {
     return fmt::format("{} to {}", range.min, range.max);
@@ -82,7 +75,7 @@ std::string usage(const Subcommand& command) {
 
 std::string label(const Argument& argument) {
   if (is_positional(argument)) return placeholder(argument);
-  const std::string names = joined(names_of(argument));
+  const std::string names = joined(names_of(argument), ", ");
   if (!takes_value(argument)) return names;
   const std::string value = placeholder(argument);
   return names + " " + (argument.when_alone.empty() ? value : "[" + value + "]");
@@ -92,7 +85,7 @@ std::string explained(const Argument& argument) {
   std::vector<std::string> facts;
   if (argument.required) facts.emplace_back("required");
   if (!argument.choices.empty() && argument.choices.size() <= kMostChoices) {
-    facts.push_back(joined(argument.choices));
+    facts.push_back(joined(argument.choices, ", "));
   }
   if (argument.range) facts.push_back(range_text(*argument.range));
   if (!argument.when_alone.empty()) {
@@ -106,12 +99,9 @@ std::string explained(const Argument& argument) {
     facts.emplace_back("may be repeated");
   }
   if (!argument.needs.empty()) facts.push_back(fmt::format("with {}", argument.needs));
-  if (!argument.excludes.empty()) facts.push_back("not with " + joined(argument.excludes));
-  std::string text(argument.meaning);
-  if (facts.empty()) return text;
-  text += " [";
-  for (const std::string& fact : facts) text += (&fact == &facts.front() ? "" : "; ") + fact;
-  return text + "]";
+  if (!argument.excludes.empty()) facts.push_back("not with " + joined(argument.excludes, ", "));
+  if (facts.empty()) return std::string(argument.meaning);
+  return fmt::format("{} [{}]", argument.meaning, joined(facts, "; "));
 }
 
 std::vector<Section> sections(const Subcommand& command) {

@@ -36,6 +36,15 @@ int columns() {
 
 }  // namespace
 
+std::string joined(const std::vector<std::string>& words, std::string_view divider) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += divider;
+    text += word;
+  }
+  return text;
+}
+
 std::vector<std::string> wrapped(std::string_view text, int width) {
   std::vector<std::string> lines;
   for (std::size_t start = 0; start <= text.size();) {
@@ -63,7 +72,7 @@ std::string row(const std::string& left, std::string_view right, int at, int wid
 
 std::string command_line(std::string_view line, int width) {
   std::string all;
-  for (const std::string& part : wrapped(line, width - 6)) {
+  for (const std::string& part : wrapped(line, width - 8)) {
     all += (all.empty() ? "  " : " \\\n      ") + part;
   }
   return all + "\n";

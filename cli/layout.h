@@ -7,6 +7,9 @@
 
 namespace lumaknot {
 
+/// `words` with `divider` between each two.
+std::string joined(const std::vector<std::string>& words, std::string_view divider);
+
 /// `text` in lines of at most `width` characters, broken at spaces and at newlines. A longer word
 /// has a line of its own.
 std::vector<std::string> wrapped(std::string_view text, int width);

@@ -32,12 +32,17 @@ std::string roff(std::string_view text) {
   return all;
 }
 
+std::string upper(std::string_view text) {
+  std::string all(text);
+  for (char& c : all) c = c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+  return all;
+}
+
 /// No date, so that the same program gives the same bytes.
 std::string head(std::string_view name, std::string_view about) {
-  std::string title(name);
-  for (char& c : title) c = c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
-  return fmt::format(".TH {} 1 \"\" \"lumaknot {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
-                     roff(title), program_version(), roff(name), roff(about));
+  return fmt::format(
+      ".TH {} 1 \"\" \"lumaknot {}\" \"User Commands\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n",
+      roff(upper(name)), program_version(), roff(name), roff(about));
 }
 
 std::string entry(const std::string& term, const std::string& text) {
@@ -48,7 +53,8 @@ std::string option_sections(const Subcommand& command) {
   std::string text;
   for (const auto& [heading, arguments] : sections(command)) {
     const bool main = heading == "Arguments" || heading == "Options";
-    text += fmt::format("{} \"{}\"\n", main ? ".SH" : ".SS", roff(heading));
+    text += fmt::format("{} \"{}\"\n", main ? ".SH" : ".SS",
+                        roff(main ? upper(heading) : std::string(heading)));
     for (const Argument& argument : arguments) text += entry(label(argument), explained(argument));
   }
   return text;

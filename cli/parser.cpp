@@ -65,9 +65,7 @@ void relate(CLI::App& app, const Argument& argument) {
   if (argument.needs.empty() && argument.excludes.empty()) return;
   CLI::Option* option = app.get_option(names_of(argument).front());
   if (!argument.needs.empty()) option->needs(app.get_option(std::string(argument.needs)));
-  for (const std::string_view other : argument.excludes) {
-    option->excludes(app.get_option(std::string(other)));
-  }
+  for (const std::string& other : argument.excludes) option->excludes(app.get_option(other));
 }
 
 void describe(CLI::App& program, const Subcommand& command) {
