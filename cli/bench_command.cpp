@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "study/growth.h"
@@ -62,54 +62,65 @@ void run(const BenchFlags& flags) {
   flags.out.say(told.text);
 }
 
-void add_measuring_flags(CLI::App& command, RateOptions& options) {
-  command.add_option("--rounds", options.rounds, "rounds, each of which draws every row")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command.add_option("--seconds", options.seconds, "that a row draws in a round")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  command
-      .add_option("--threads", options.threads,
-                  "a row for one thread and a row for so many; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command
-      .add_option("--samples", options.samples,
-                  "of coverage and depth a pixel, a row for each: 1, 2, 4, 6, 8, 16")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({1, 2, 4, 6, 8, 16}))
-      ->capture_default_str();
+std::vector<Argument> measuring_arguments(RateOptions& options) {
+  return {{.names = "--rounds",
+           .target = &options.rounds,
+           .meaning = "rounds, each of which draws every row",
+           .range = Bound{1, 1000}},
+          {.names = "--seconds",
+           .target = &options.seconds,
+           .meaning = "seconds that a row is drawn in each round",
+           .range = Bound{0.0, 3600.0}},
+          {.names = "--threads",
+           .target = &options.threads,
+           .meaning = "a row for one thread and a row for N; 0: one per core",
+           .range = Bound{0, 1024}},
+          {.names = "--samples",
+           .target = &options.samples,
+           .meaning = "samples of coverage and depth per pixel, a row for each",
+           .choices = {"1", "2", "4", "6", "8", "16"},
+           .list = true}};
+}
+
+std::vector<Argument> bench_arguments(BenchFlags& flags) {
+  std::vector<Argument> all{scene_argument(flags.scene),
+                            {.names = "-o,--output",
+                             .target = &flags.output,
+                             .meaning = "the table as JSON: .json",
+                             .value = kFile},
+                            {.names = "--picture",
+                             .target = &flags.picture,
+                             .meaning = "the table as a bar chart: .svg",
+                             .value = kFile}};
+  append(all, measuring_arguments(flags.options));
+  append(all, {{.names = "--alone",
+                .target = &flags.alone,
+                .meaning = "without llvmpipe, a GPU and Embree"},
+               {.names = "--growth",
+                .target = &flags.growth,
+                .meaning = "measure how a frame's time grows with triangles, pixels and samples",
+                .excludes = {"--alone", "--rounds", "--samples"}}});
+  append(all, output_arguments(flags.out));
+  return all;
 }
 
 }  // namespace
 
-void add_bench_command(CLI::App& program) {
-  auto flags = std::make_shared<BenchFlags>();
-  CLI::App* command = program.add_subcommand(
-      "bench", "Time frames, classical and YIQ, beside other programs and the paper's Table 2");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  add_measuring_flags(*command, flags->options);
-  command->add_option("-o,--output", flags->output, "the table as JSON: .json");
-  command->add_option("--picture", flags->picture, "the table as a bar chart: .svg");
-  command->add_flag("--alone", flags->alone, "without llvmpipe, a GPU and Embree");
-  command
-      ->add_flag("--growth", flags->growth,
-                 "instead, how a frame's time grows with triangles, pixels and samples")
-      ->excludes("--alone", "--rounds", "--samples");
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot bench\n"
-      "  lumaknot bench --rounds 20 -o table.json --picture bench.svg\n"
-      "  lumaknot bench scene.json --samples 1,4 --threads 4 --alone\n"
-      "  lumaknot bench --growth --picture growth.svg");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+Subcommand bench_command() {
+  const auto flags = std::make_shared<BenchFlags>();
+  return {.name = "bench",
+          .group = Group::kStudy,
+          .about = "Time frames, classical and YIQ, beside other programs and the paper's Table 2",
+          .arguments = bench_arguments(*flags),
+          .examples = {{"lumaknot bench"},
+                       {"lumaknot bench --rounds 20 -o table.json --picture bench.svg"},
+                       {"lumaknot bench scene.json --samples 1,4 --threads 4 --alone"},
+                       {"lumaknot bench --growth --picture growth.svg"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "exporters/image_file.h"
 #include "scene/atomic_file.h"
@@ -36,34 +36,41 @@ void run(const BudgetFlags& flags) {
   flags.out.say(budget_text(budget));
 }
 
+std::vector<Argument> budget_arguments(BudgetFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.picture,
+       .meaning = "a picture of the errors times 16, four per row: the whole, each stage, what is "
+                  "left over; .png or .exr",
+       .value = kFile},
+      {.names = "--samples",
+       .target = &flags.options.samples,
+       .meaning = "N x N samples per pixel, for the stages whose exact form is a mean",
+       .range = Bound{2, 32}},
+      {.names = "--tolerance",
+       .target = &flags.options.tolerance,
+       .meaning = "estimated error per pixel of the truth that the image is compared with",
+       .range = Bound{1e-6, 1.0}}};
+  append(all, output_arguments(flags.out));
+  return all;
+}
+
 }  // namespace
 
-void add_budget_command(CLI::App& program) {
-  auto flags = std::make_shared<BudgetFlags>();
-  CLI::App* command =
-      program.add_subcommand("budget", "Tell which stage makes how much of an image's error");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command
-      ->add_option("--samples", flags->options.samples,
-                   "n x n samples a pixel, for the stages whose exact form is a mean")
-      ->check(CLI::Range(2, 32))
-      ->capture_default_str();
-  command
-      ->add_option("--tolerance", flags->options.tolerance,
-                   "of the truth that the image is held to: a pixel's error, as estimated")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->capture_default_str();
-  command->add_option("-o,--output", flags->picture,
-                      "the errors of the whole, of each stage and left over, x 16, four a row: "
-                      ".png or .exr");
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot budget\n"
-      "  lumaknot budget scene.json --json\n"
-      "  lumaknot budget figure1-back -o budget.png");
-  command->callback([flags] { run(*flags); });
+Subcommand budget_command() {
+  const auto flags = std::make_shared<BudgetFlags>();
+  return {.name = "budget",
+          .group = Group::kProve,
+          .about = "Report how much of an image's error each stage causes",
+          .arguments = budget_arguments(*flags),
+          .examples = {{"lumaknot budget"},
+                       {"lumaknot budget scene.json --json"},
+                       {"lumaknot budget figure1-back -o budget.png"}},
+          .run = [flags] {
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

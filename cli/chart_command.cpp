@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -8,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/output_folder.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -99,44 +99,52 @@ std::vector<std::string> metric_names() {
   return names;
 }
 
+std::vector<Argument> chart_arguments(ChartFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "the folder for chart.html, .svg, .png, .csv and .json; a chart begun there is "
+                  "resumed",
+       .value = kFolder},
+      {.names = "--metric",
+       .target = &flags.metric,
+       .meaning = "the error in chart.svg and .png; chart.html offers all of them",
+       .choices = metric_names()},
+      {.names = "--space",
+       .target = &flags.spaces,
+       .meaning = "spaces to draw in",
+       .default_text = "the scene's own and yiq",
+       .choices = {kSpaceNames.begin(), kSpaceNames.end()},
+       .list = true},
+      {.names = "--rounds",
+       .target = &flags.rounds,
+       .meaning = "rounds, each of which times every method",
+       .range = Bound{1, 1000}},
+      {.names = "--alone",
+       .target = &flags.alone,
+       .meaning = "without llvmpipe, Cycles, POV-Ray and Eevee"}};
+  append(all, output_arguments(flags.out));
+  return all;
+}
+
 }  // namespace
 
-void add_chart_command(CLI::App& program) {
-  auto flags = std::make_shared<ChartFlags>();
-  CLI::App* command = program.add_subcommand(
-      "chart", "Chart every method's time against its error, the Pareto front marked");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", flags->output,
-                   "the folder for chart.html, .svg, .png, .csv and .json; a chart that was begun "
-                   "there goes on")
-      ->capture_default_str();
-  command
-      ->add_option("--metric", flags->metric, "of chart.svg and .png; chart.html lets one choose")
-      ->check(CLI::IsMember(metric_names()))
-      ->capture_default_str();
-  command
-      ->add_option("--space", flags->spaces,
-                   "spaces to draw in, divided by commas; unless given the scene's own and yiq")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(std::vector<std::string>(kSpaceNames.begin(), kSpaceNames.end())));
-  command->add_option("--rounds", flags->rounds, "rounds, each of which times every method")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_flag("--alone", flags->alone, "without llvmpipe, Cycles, POV-Ray and Eevee");
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Ctrl-C keeps what was measured; the same command goes on.\n"
-      "Examples:\n"
-      "  lumaknot chart -o chart/\n"
-      "  lumaknot chart scene.json --metric flip -o chart/\n"
-      "  lumaknot chart figure1-back --space yiq,cielab,cieluv --alone -o chart/");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+Subcommand chart_command() {
+  const auto flags = std::make_shared<ChartFlags>();
+  return {.name = "chart",
+          .group = Group::kStudy,
+          .about = "Chart every method's time against its error and mark the Pareto front",
+          .arguments = chart_arguments(*flags),
+          .notes = "Ctrl-C keeps what was measured; the same command resumes.",
+          .examples = {{"lumaknot chart -o chart/"},
+                       {"lumaknot chart scene.json --metric flip -o chart/"},
+                       {"lumaknot chart figure1-back --space yiq,cielab --alone -o chart/"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

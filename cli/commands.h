@@ -1,36 +1,42 @@
-/// The commands, one a file: each adds itself to the program and, when chosen, sets its exit code.
+/// The commands, one a file, and the program that runs them.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <string_view>
+#include <vector>
+
+#include "cli/command.h"
 
 namespace lumaknot {
 
 inline constexpr int kExitAgreed = 0, kExitDiffered = 1, kExitWrongUse = 2,
                      kExitNothingToCompare = 3, kExitInterrupted = 130;
 
-struct Programs;
+Subcommand scene_command();
+Subcommand mesh_command();
+Subcommand export_command();
+Subcommand shader_command();
+Subcommand render_command();
+Subcommand validate_command();
+Subcommand plan_command();
+Subcommand budget_command();
+Subcommand bench_command();
+Subcommand chart_command();
+Subcommand stability_command();
+Subcommand paper_command();
+Subcommand doctor_command();
+Subcommand completion_command();
+Subcommand man_command();
 
-/// Adds the flags that say where the other programs are.
-void add_program_flags(CLI::App& command, Programs& programs);
+/// Every command, in the order of the help.
+std::vector<Subcommand> all_commands();
 
-void add_scene_command(CLI::App& program);
-void add_mesh_command(CLI::App& program);
-void add_render_command(CLI::App& program);
-void add_export_command(CLI::App& program);
-void add_shader_command(CLI::App& program);
-void add_validate_command(CLI::App& program, int& exit_code);
-void add_bench_command(CLI::App& program);
-void add_chart_command(CLI::App& program);
-void add_stability_command(CLI::App& program);
-void add_budget_command(CLI::App& program);
-void add_paper_command(CLI::App& program);
-void add_plan_command(CLI::App& program, int& exit_code);
-void add_doctor_command(CLI::App& program);
-void add_completion_command(CLI::App& program);
+/// The program itself: what it is for, its examples and exit codes.
+Subcommand program_command();
 
-/// The program: parses `argv`, runs one command, tells every error in one line. Returns the exit
+/// "0.1.0"
+std::string_view program_version();
+
+/// The program: parses `argv`, runs one command, reports every error in one line. Returns the exit
 /// code: 0 done or agreed, 1 renderers differ or a tolerance
 /// can't be met, 2 wrong use or input, 3 nothing to compare with.
 int run_program(int argc, char** argv);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "validate/validate.h"
 
@@ -34,15 +34,20 @@ void run(const DoctorFlags& flags) {
 
 }  // namespace
 
-void add_doctor_command(CLI::App& program) {
-  auto flags = std::make_shared<DoctorFlags>();
-  CLI::App* command =
-      program.add_subcommand("doctor", "Tell which renderers are here, and how to get the others");
-  add_program_flags(*command, flags->programs);
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n  lumaknot doctor\n  lumaknot doctor --blender /opt/blender-4.2/blender");
-  command->callback([flags] { run(*flags); });
+Subcommand doctor_command() {
+  const auto flags = std::make_shared<DoctorFlags>();
+  Subcommand command{
+      .name = "doctor",
+      .group = Group::kSetUp,
+      .about = "Report which renderers are installed, and how to get the others",
+      .arguments = output_arguments(flags->out),
+      .examples = {{"lumaknot doctor"}, {"lumaknot doctor --blender /opt/blender-4.2/blender"}},
+      .run = [flags] {
+        run(*flags);
+        return kExitAgreed;
+      }};
+  append(command.arguments, program_arguments(flags->programs));
+  return command;
 }
 
 }  // namespace lumaknot

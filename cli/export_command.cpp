@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "exporters/blender.h"
 #include "exporters/gltf.h"
@@ -125,32 +125,38 @@ void run(const ExportFlags& flags) {
   for (const std::string& file : files) flags.out.say((folder_of(flags.output) / file).string());
 }
 
+std::vector<Argument> export_arguments(ExportFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "a .pov, .py (Blender script), .blend, .glb, .gltf or .obj file",
+       .value = kFile,
+       .required = true}};
+  append(all, output_arguments(flags.out));
+  append(all, program_arguments(flags.programs));
+  return all;
+}
+
 }  // namespace
 
-void add_export_command(CLI::App& program) {
-  auto flags = std::make_shared<ExportFlags>();
-  CLI::App* command =
-      program.add_subcommand("export", "Write a scene for POV-Ray, Blender, glTF or OBJ");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", flags->output,
-                   "a .pov, .py (Blender script), .blend, .glb, .gltf or .obj file")
-      ->required();
-  add_program_flags(*command, flags->programs);
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot export scene.json -o knot.pov     with its images beside it\n"
-      "  lumaknot export scene.json -o knot.py      with its mesh and image beside it\n"
-      "  lumaknot export figure2 -o knot.blend      needs Blender\n"
-      "  lumaknot export figure2 -o knot.glb        glTF 2.0 in one file; .gltf: with its arrays\n"
-      "                                             and image beside it\n"
-      "  lumaknot export figure2 -o knot.obj        with knot.mtl and its image beside it");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+Subcommand export_command() {
+  const auto flags = std::make_shared<ExportFlags>();
+  return {.name = "export",
+          .group = Group::kMake,
+          .about = "Write a scene for POV-Ray, Blender, glTF or OBJ",
+          .arguments = export_arguments(*flags),
+          .examples = {{"lumaknot export scene.json -o knot.pov", "its images beside it"},
+                       {"lumaknot export scene.json -o knot.py", "its mesh and image beside it"},
+                       {"lumaknot export figure2 -o knot.blend", "needs Blender"},
+                       {"lumaknot export figure2 -o knot.glb", "glTF 2.0 in one file"},
+                       {"lumaknot export figure2 -o knot.gltf", "its arrays and image beside it"},
+                       {"lumaknot export figure2 -o knot.obj", "knot.mtl and its image beside it"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

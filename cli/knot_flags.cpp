@@ -1,9 +1,7 @@
 #include "cli/knot_flags.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "scene/check.h"
@@ -14,35 +12,41 @@ namespace {
 
 /// Makes a flag of every field of the knot.
 struct FlagVisitor {
-  CLI::App& command;
   std::shared_ptr<nlohmann::ordered_json> given;
+  std::vector<Argument> flags = {};
 
   template <class T>
-  void add(std::string_view key, const std::string& value, const std::string& about) {
+  Argument& add(std::string_view key, std::string value, std::string_view about) {
     const auto keep = [given = given, key = std::string(key)](const T& v) { (*given)[key] = v; };
-    command.add_option_function<T>(field_label("--", key), keep, about)->default_str(value);
+    flags.push_back({.names = field_label("--", key),
+                     .target = Take<T>(keep),
+                     .meaning = about,
+                     .default_text = std::move(value),
+                     .checked = false,
+                     .heading = "Knot"});
+    return flags.back();
   }
-  void integer(std::string_view key, int value, IntRange, std::string_view about) {
-    add<long long>(key, std::to_string(value), std::string(about));
+  void integer(std::string_view key, int value, IntRange range, std::string_view about) {
+    add<long long>(key, std::to_string(value), about).range =
+        Bound{double(range.min), double(range.max)};
   }
-  void number(std::string_view key, double value, Bound, std::string_view about) {
-    add<double>(key, fmt::format("{}", value), std::string(about));
+  void number(std::string_view key, double value, Bound bound, std::string_view about) {
+    add<double>(key, fmt::format("{}", value), about).range = bound;
   }
   template <class Enum, class Names>
   void choice(std::string_view key, Enum value, const Names& names, std::string_view about) {
-    add<std::string>(key, std::string(names[std::size_t(value)]),
-                     fmt::format("{}: {}", about, fmt::join(names, ", ")));
+    add<std::string>(key, std::string(names[std::size_t(value)]), about)
+        .choices.assign(names.begin(), names.end());
   }
 };
 
 }  // namespace
 
-std::shared_ptr<nlohmann::ordered_json> add_knot_flags(CLI::App& command) {
-  FlagVisitor visitor{command,
-                      std::make_shared<nlohmann::ordered_json>(nlohmann::ordered_json::object())};
+std::vector<Argument> knot_arguments(std::shared_ptr<nlohmann::ordered_json> given) {
+  FlagVisitor visitor{std::move(given)};
   KnotSpec defaults;
   visit_fields(visitor, defaults);
-  return visitor.given;
+  return std::move(visitor.flags);
 }
 
 }  // namespace lumaknot

@@ -3,17 +3,14 @@
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
-#include "scene/scene.h"
-
-namespace CLI {
-class App;
-}
+#include "cli/command.h"
 
 namespace lumaknot {
 
-/// Adds a flag for every field of a knot to `command`; what is given is gathered in an object, to
-/// be read by knot_from_json().
-std::shared_ptr<nlohmann::ordered_json> add_knot_flags(CLI::App& command);
+/// A flag for every field of a knot. What is given is gathered in `given`, an object, to be read
+/// and checked by knot_from_json().
+std::vector<Argument> knot_arguments(std::shared_ptr<nlohmann::ordered_json> given);
 
 }  // namespace lumaknot

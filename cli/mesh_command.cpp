@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/knot_flags.h"
 #include "cli/mesh_report.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "exporters/mesh_file.h"
 #include "meshgen/lean_grid.h"
@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct MeshFlags {
-  std::shared_ptr<Json> knot;
+  std::shared_ptr<Json> knot = std::make_shared<Json>(Json::object());  ///< what is given of it
   std::string output;
   MeshFileOptions file;
   std::optional<double> max_error;
@@ -50,7 +50,7 @@ void choose_grid(KnotSpec& knot, const MeshFlags& flags) {
   check_knot(knot, "--");
 }
 
-/// Says when the tube passes through itself, or refuses it.
+/// Warns when the tube passes through itself, or refuses it.
 void check_clearance(const KnotSpec& knot, const MeshFlags& flags) {
   const Clearance most = clearance(components(knot));
   if (knot.tube_radius <= most.radius) return;
@@ -92,32 +92,51 @@ void run(const MeshFlags& flags) {
   tell(knot, mesh, flags);
 }
 
+std::vector<Argument> mesh_arguments(MeshFlags& flags) {
+  std::vector<Argument> all{
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "the mesh file: .obj, .ply, .stl, .off, .om, .glb, .gltf or .inc (POV-Ray)",
+       .value = kFile},
+      {.names = "--max-error",
+       .target = &flags.max_error,
+       .meaning = "choose the fewest triangles within this distance of the exact tube",
+       .range = kPositive,
+       .checked = false},
+      {.names = "--measure", .target = &flags.measure, .meaning = "report the mesh's properties"},
+      {.names = "--strict",
+       .target = &flags.strict,
+       .meaning = "refuse a tube that passes through itself"},
+      {.names = "--ascii", .target = &flags.file.ascii, .meaning = "write .ply and .stl as text"},
+      {.names = "--quads",
+       .target = &flags.file.quads,
+       .meaning = "keep quads, in .obj, .ply and .off"},
+      {.names = "--tangents",
+       .target = &flags.file.tangents,
+       .meaning = "add tangents for normal mapping, in .glb and .gltf"}};
+  append(all, output_arguments(flags.out));
+  append(all, knot_arguments(flags.knot));
+  return all;
+}
+
 }  // namespace
 
-void add_mesh_command(CLI::App& program) {
-  auto flags = std::make_shared<MeshFlags>();
-  CLI::App* command =
-      program.add_subcommand("mesh", "Write or measure the mesh of a (p,q) torus knot or link");
-  flags->knot = add_knot_flags(*command);
-  command->add_option("--max-error", flags->max_error,
-                      "the fewest triangles within this distance of the exact tube");
-  command->add_flag("--measure", flags->measure, "tell what is true of the mesh");
-  command->add_flag("--strict", flags->strict, "refuse a tube that passes through itself");
-  command->add_option("-o,--output", flags->output,
-                      "the mesh file: .obj .ply .stl .off .om .glb .gltf .inc");
-  command->add_flag("--ascii", flags->file.ascii, ".ply and .stl as text");
-  command->add_flag("--quads", flags->file.quads, "keep quads: .obj .ply .off");
-  command->add_flag("--tangents", flags->file.tangents, "tangents for normal mapping: .glb .gltf");
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Defaults are lumaknot's; other conventions have their own.\n"
-      "Examples:\n"
-      "  lumaknot mesh --p 3 --q 5 --tube 0.1 -o knot.glb\n"
-      "  lumaknot mesh --p 4 --q 6 -o link.obj                     a link of 2 components\n"
-      "  lumaknot mesh --p 2 --q 3 --convention three -o three.ply three.js's vertices\n"
-      "  lumaknot mesh --max-error 0.001 -o lean.ply               the fewest triangles\n"
-      "  lumaknot mesh --measure                                   what is true of the default");
-  command->callback([flags] { run(*flags); });
+Subcommand mesh_command() {
+  const auto flags = std::make_shared<MeshFlags>();
+  return {.name = "mesh",
+          .group = Group::kMake,
+          .about = "Write or measure the mesh of a (p,q) torus knot or link",
+          .arguments = mesh_arguments(*flags),
+          .notes = "Defaults are those of convention lumaknot; the others have their own.",
+          .examples = {{"lumaknot mesh --p 3 --q 5 --tube 0.1 -o knot.glb"},
+                       {"lumaknot mesh --p 4 --q 6 -o link.obj", "a link of two components"},
+                       {"lumaknot mesh --convention three -o three.ply", "three.js's vertices"},
+                       {"lumaknot mesh --max-error 0.001 -o lean.ply", "the fewest triangles"},
+                       {"lumaknot mesh --measure", "properties of the default mesh"}},
+          .run = [flags] {
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/output_folder.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "study/paper/kept_light.h"
@@ -55,47 +55,58 @@ void run(PaperFlags flags) {
   }
 }
 
+std::vector<Argument> timing_arguments(PaperFlags& flags) {
+  return {{.names = "--rounds",
+           .target = &flags.job.rates.rounds,
+           .meaning = "rounds, each of which times every renderer",
+           .range = Bound{1, 1000}},
+          {.names = "--seconds",
+           .target = &flags.job.rates.seconds,
+           .meaning = "seconds per renderer and round; formulas are timed for twelve times as long",
+           .range = Bound{0.0, 3600.0}},
+          {.names = "--time-limit",
+           .target = &flags.time_limit,
+           .meaning = "seconds that a renderer may take",
+           .range = kPositive},
+          {.names = "--alone",
+           .target = &flags.alone,
+           .meaning = "Table 2 without llvmpipe, a GPU and Embree"}};
+}
+
+std::vector<Argument> paper_arguments(PaperFlags& flags) {
+  std::vector<Argument> all{{.names = "-o,--output",
+                             .target = &flags.output,
+                             .meaning = "the folder for index.html, claims.json and the pictures",
+                             .value = kFolder},
+                            {.names = "--size",
+                             .target = &flags.job.side,
+                             .meaning = "side of the pictures, pixels",
+                             .range = Bound{16, 4096}}};
+  append(all, timing_arguments(flags));
+  append(all, output_arguments(flags.out));
+  append(all, program_arguments(flags.job.programs));
+  return all;
+}
+
 }  // namespace
 
-void add_paper_command(CLI::App& program) {
-  auto flags = std::make_shared<PaperFlags>();
+Subcommand paper_command() {
+  const auto flags = std::make_shared<PaperFlags>();
   flags->job.rates.rounds = 3;
   flags->job.rates.seconds = 0.3;
-  CLI::App* command = program.add_subcommand(
-      "paper", "Reproduce the paper on one page: its figures, claims and Table 2");
-  command
-      ->add_option("-o,--output", flags->output,
-                   "the folder for index.html, claims.json and the pictures")
-      ->capture_default_str();
-  command->add_option("--size", flags->job.side, "side of the pictures, pixels")
-      ->check(CLI::Range(16, 4096))
-      ->capture_default_str();
-  command
-      ->add_option("--rounds", flags->job.rates.rounds,
-                   "rounds, each of which times every renderer")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      ->add_option("--seconds", flags->job.rates.seconds,
-                   "that a renderer draws in a round; formulas are timed for twelve times as long")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--alone", flags->alone, "Table 2 without llvmpipe, a GPU and Embree");
-  add_program_flags(*command, flags->job.programs);
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Ctrl-C keeps the pictures that are drawn; the same command goes on.\n"
-      "Examples:\n"
-      "  lumaknot paper -o paper/\n"
-      "  lumaknot paper --rounds 10 -o paper/\n"
-      "  lumaknot paper --blender /opt/blender-4.2/blender -o paper/");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+  return {.name = "paper",
+          .group = Group::kStudy,
+          .about = "Reproduce the paper on one page: its figures, claims and Table 2",
+          .arguments = paper_arguments(*flags),
+          .notes = "Ctrl-C keeps the pictures drawn so far; the same command resumes.",
+          .examples = {{"lumaknot paper -o paper/"},
+                       {"lumaknot paper --rounds 10 -o paper/"},
+                       {"lumaknot paper --blender /opt/blender-4.2/blender -o paper/"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

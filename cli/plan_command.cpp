@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/output_folder.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -119,47 +119,54 @@ int run(const PlanFlags& flags) {
   }
 }
 
+std::vector<Argument> plan_arguments(PlanFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "the folder for the smaller scene.json, certificate.json and index.html; a plan "
+                  "begun there is resumed",
+       .value = kFolder},
+      {.names = "--tolerance",
+       .target = &flags.tolerance,
+       .meaning = "of each channel of each pixel, a number or a fraction",
+       .value = "X"},
+      {.names = "--shift",
+       .target = &flags.shift,
+       .meaning = "pixels within which the truth may show what the picture shows; with 0 no edge "
+                  "can be met",
+       .range = kNotNegative,
+       .checked = false},
+      {.names = "--exhaustive",
+       .target = &flags.exhaustive,
+       .meaning = "measure every choice, to report how close to the best the plan is"},
+      {.names = "--rounds",
+       .target = &flags.rounds,
+       .meaning = "rounds that time a choice",
+       .range = Bound{1, 1000}}};
+  append(all, output_arguments(flags.out));
+  return all;
+}
+
 }  // namespace
 
-void add_plan_command(CLI::App& program, int& exit_code) {
-  auto flags = std::make_shared<PlanFlags>();
-  CLI::App* command = program.add_subcommand(
-      "plan", "Find the cheapest model of a scene that meets a tolerance, and prove it");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", flags->output,
-                   "the folder for the smaller scene.json, certificate.json and index.html; a plan "
-                   "that was begun there goes on")
-      ->capture_default_str();
-  command
-      ->add_option("--tolerance", flags->tolerance,
-                   "of each channel of each pixel, a number or a fraction")
-      ->capture_default_str();
-  command
-      ->add_option("--shift", flags->shift,
-                   "pixels within which the truth may show what the picture does; 0: no edge can "
-                   "be met")
-      ->capture_default_str();
-  command->add_flag("--exhaustive", flags->exhaustive,
-                    "measure every choice, to tell how near to the best the plan is");
-  command->add_option("--rounds", flags->rounds, "rounds that time a choice")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Errors are of the picture before it is rounded to 8 bits. Ctrl-C keeps what was measured; "
-      "the\n"
-      "same command goes on.\n"
-      "Exit code: 0 the tolerance is met, 1 it can't be, 2 wrong use or input.\n"
-      "Examples:\n"
-      "  lumaknot plan -o plan/\n"
-      "  lumaknot plan scene.json --tolerance 1/255 -o plan/\n"
-      "  lumaknot plan scene.json --tolerance 0.02 --shift 0.5 --exhaustive -o plan/");
-  command->callback([flags, &exit_code] {
-    const InterruptGuard guard;
-    exit_code = run(*flags);
-  });
+Subcommand plan_command() {
+  const auto flags = std::make_shared<PlanFlags>();
+  return {.name = "plan",
+          .group = Group::kProve,
+          .about = "Find the cheapest model of a scene that meets a tolerance, and prove it",
+          .arguments = plan_arguments(*flags),
+          .notes =
+              "Errors are of the picture before it is rounded to 8 bits. Ctrl-C keeps what "
+              "was measured; the same command resumes.\n"
+              "Exit code: 0 the tolerance is met, 1 it can't be met, 2 wrong use or input.",
+          .examples = {{"lumaknot plan -o plan/"},
+                       {"lumaknot plan scene.json --tolerance 1/255 -o plan/"},
+                       {"lumaknot plan scene.json --tolerance 0.02 --shift 0.5 --exhaustive"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            return run(*flags);
+          }};
 }
 
 }  // namespace lumaknot

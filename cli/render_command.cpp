@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "exporters/image_file.h"
 #include "render/fast_renderer.h"
@@ -21,7 +22,7 @@ namespace lumaknot {
 namespace {
 
 /// By SimdLevel.
-const std::vector<std::string> kSimdNames{"baseline", "avx2", "avx512"};
+constexpr std::array<std::string_view, 3> kSimdNames{"baseline", "avx2", "avx512"};
 
 struct RenderFlags {
   std::string scene = "figure2", output;
@@ -71,57 +72,6 @@ RenderedImage draw(const SceneInput& input, const RenderFlags& flags) {
   return {std::move(image), {}};
 }
 
-void add_fast_flags(CLI::App& command, RenderFlags& flags) {
-  CLI::Option* fast = command.add_flag(
-      "--fast", flags.fast,
-      "draw in single precision at the machine's speed; without it, in double precision");
-  FastOptions& options = flags.options;
-  command
-      .add_option(
-          "--multisample", options.samples,
-          "samples of coverage and depth a pixel, in place of image.samples: 1, 2, 4, 6, 8 or 16")
-      ->capture_default_str()
-      ->each([&flags](const std::string&) { flags.multisampled = true; })
-      ->needs(fast);
-  command.add_option("--filter", flags.filter, "of the texture")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"bilinear", "trilinear"}))
-      ->needs(fast);
-  command.add_option("--wrap", flags.wrap, "texture coordinates beyond [0, 1]")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"repeat", "clamp"}))
-      ->needs(fast);
-  command.add_flag("--cull", options.cull_back_faces, "leave out triangles seen from behind")
-      ->needs(fast);
-  command
-      .add_option("--simd", flags.simd,
-                  "instructions, to compare their pictures; otherwise the most that there are")
-      ->check(CLI::IsMember(kSimdNames))
-      ->needs(fast);
-  command.add_option("--threads", options.threads, "0: one for each core")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024))
-      ->needs(fast);
-}
-
-void add_truth_flags(CLI::App& command, RenderFlags& flags) {
-  CLI::Option* truth =
-      command
-          .add_option("--truth", flags.truth,
-                      "draw the exact tube in place of its mesh: point, each pixel's centre; area, "
-                      "the mean over each pixel")
-          ->expected(0, 1)
-          ->default_str("point")
-          ->check(CLI::IsMember({"point", "area"}))
-          ->excludes("--fast");
-  command
-      .add_option("--tolerance", flags.truth_options.tolerance,
-                  "of --truth area: a pixel's error, as estimated")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1.0))
-      ->needs(truth);
-}
-
 void run(const RenderFlags& flags) {
   check_image_extension(flags.output, "--output");
   check_writable(flags.output, "--output");
@@ -143,26 +93,101 @@ void run(const RenderFlags& flags) {
                             seconds.count()));
 }
 
+constexpr std::string_view kFastHeading = "In single precision";
+
+/// A flag of --fast, without its target.
+Argument fast_argument(std::string names, std::string_view meaning) {
+  return {
+      .names = std::move(names), .meaning = meaning, .needs = "--fast", .heading = kFastHeading};
+}
+
+Argument multisample_argument(RenderFlags& flags) {
+  const auto take = [&flags](int samples) {
+    flags.options.samples = samples;
+    flags.multisampled = true;
+  };
+  return {.names = "--multisample",
+          .target = Take<int>(take),
+          .meaning = "samples of coverage and depth per pixel, in place of image.samples",
+          .default_text = std::to_string(flags.options.samples),
+          .choices = {"1", "2", "4", "6", "8", "16"},
+          .checked = false,
+          .needs = "--fast",
+          .heading = kFastHeading};
+}
+
+std::vector<Argument> fast_arguments(RenderFlags& flags) {
+  Argument filter = fast_argument("--filter", "filter of the texture");
+  filter.target = &flags.filter;
+  filter.choices = {"bilinear", "trilinear"};
+  Argument wrap = fast_argument("--wrap", "texture coordinates beyond [0, 1]");
+  wrap.target = &flags.wrap;
+  wrap.choices = {"repeat", "clamp"};
+  Argument cull = fast_argument("--cull", "leave out triangles seen from behind");
+  cull.target = &flags.options.cull_back_faces;
+  Argument simd = fast_argument("--simd", "instruction set, to compare pictures");
+  simd.target = &flags.simd;
+  simd.default_text = "the widest of the processor";
+  simd.choices = {kSimdNames.begin(), kSimdNames.end()};
+  Argument threads = fast_argument("--threads", "number of threads; 0: one per core");
+  threads.target = &flags.options.threads;
+  threads.range = Bound{0, 1024};
+  return {multisample_argument(flags), filter, wrap, cull, simd, threads};
+}
+
+std::vector<Argument> truth_arguments(RenderFlags& flags) {
+  return {
+      {.names = "--truth",
+       .target = &flags.truth,
+       .meaning = "draw the exact tube in place of its mesh: at each pixel's centre (point), or "
+                  "the mean over each pixel (area)",
+       .value = "MODE",
+       .choices = {"point", "area"},
+       .when_alone = "point",
+       .excludes = {"--fast"},
+       .heading = "The exact tube"},
+      {.names = "--tolerance",
+       .target = &flags.truth_options.tolerance,
+       .meaning = "estimated error per pixel of --truth area",
+       .range = Bound{1e-6, 1.0},
+       .needs = "--truth",
+       .heading = "The exact tube"}};
+}
+
+std::vector<Argument> render_arguments(RenderFlags& flags) {
+  std::vector<Argument> all{scene_argument(flags.scene),
+                            {.names = "-o,--output",
+                             .target = &flags.output,
+                             .meaning = "the image: .exr (float) or .png (16 bits)",
+                             .value = kFile,
+                             .required = true}};
+  append(all, output_arguments(flags.out));
+  all.push_back({.names = "--fast",
+                 .target = &flags.fast,
+                 .meaning = "draw in single precision at the machine's full speed, not in double",
+                 .heading = kFastHeading});
+  append(all, fast_arguments(flags));
+  append(all, truth_arguments(flags));
+  return all;
+}
+
 }  // namespace
 
-void add_render_command(CLI::App& program) {
-  auto flags = std::make_shared<RenderFlags>();
-  CLI::App* command = program.add_subcommand("render", "Draw a scene with the software renderer");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "the image: .exr (float) or .png (16 bits)")
-      ->required();
-  add_fast_flags(*command, *flags);
-  add_truth_flags(*command, *flags);
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot render scene.json -o knot.exr\n"
-      "  lumaknot render figure1-back -o back.png\n"
-      "  lumaknot render figure2 --fast --multisample 8 --filter trilinear -o fast.png\n"
-      "  lumaknot render figure2 --truth -o truth.exr\n"
-      "  lumaknot render figure2 --truth area -o smooth.exr");
-  command->callback([flags] { run(*flags); });
+Subcommand render_command() {
+  const auto flags = std::make_shared<RenderFlags>();
+  return {.name = "render",
+          .group = Group::kDraw,
+          .about = "Draw a scene with the software renderer",
+          .arguments = render_arguments(*flags),
+          .examples = {{"lumaknot render scene.json -o knot.exr"},
+                       {"lumaknot render figure1-back -o back.png"},
+                       {"lumaknot render --fast --multisample 8 --filter trilinear -o fast.png"},
+                       {"lumaknot render figure2 --truth -o truth.exr"},
+                       {"lumaknot render figure2 --truth area -o smooth.exr"}},
+          .run = [flags] {
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

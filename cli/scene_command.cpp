@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "scene/presets.h"
 #include "scene/scene_json.h"
 
@@ -32,20 +32,27 @@ void run(const SceneFlags& flags) {
 
 }  // namespace
 
-void add_scene_command(CLI::App& program) {
-  auto flags = std::make_shared<SceneFlags>();
-  CLI::App* command =
-      program.add_subcommand("scene", "Print a built-in scene, or check and complete a scene file");
-  command->add_option("scene", flags->source,
-                      "built-in scene, scene file, or - for standard input");
-  command->add_flag("--list", flags->list, "list the built-in scenes");
-  command->add_flag("--schema", flags->schema, "print the JSON Schema of scene.json");
-  command->footer(
-      "Examples:\n"
-      "  lumaknot scene figure2 > scene.json\n"
-      "  lumaknot scene mine.json           check it and fill in the defaults\n"
-      "  lumaknot scene --schema > scene.schema.json");
-  command->callback([flags] { run(*flags); });
+Subcommand scene_command() {
+  const auto flags = std::make_shared<SceneFlags>();
+  Argument source = scene_argument(flags->source);
+  source.default_text = "list the built-in scenes";
+  return {.name = "scene",
+          .group = Group::kMake,
+          .about = "Print a built-in scene, or check and complete a scene file",
+          .arguments = {std::move(source),
+                        {.names = "--list",
+                         .target = &flags->list,
+                         .meaning = "list the built-in scenes"},
+                        {.names = "--schema",
+                         .target = &flags->schema,
+                         .meaning = "print the JSON Schema of scene.json"}},
+          .examples = {{"lumaknot scene figure2 > scene.json"},
+                       {"lumaknot scene mine.json", "check it and fill in the defaults"},
+                       {"lumaknot scene --schema > scene.schema.json"}},
+          .run = [flags] {
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

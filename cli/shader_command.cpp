@@ -1,23 +1,21 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/shader_job.h"
 #include "cli/shader_list.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "exporters/baked_texture.h"
 #include "exporters/blender.h"
 #include "exporters/image_file.h"
 #include "exporters/package.h"
 #include "scene/error.h"
-#include "scene/fields.h"
 #include "scene/presets.h"
 #include "shaders/emit.h"
 #include "validate/process.h"
@@ -29,81 +27,13 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ShaderFlags {
-  std::string shader, scene, output = ".", name, rate = "pixel", gamut = "free";
-  std::vector<std::string> languages{"all"}, lights;
-  bool list = false, gated = false, all_parameters = false;
+  NamedFormula formula;
+  std::string scene, output = ".", name;
+  std::vector<std::string> languages{"all"};
+  bool list = false, all_parameters = false;
   Programs programs;
   Output out;
 };
-
-constexpr std::array<std::string_view, 3> kLightNames{"point", "directional", "spot"};
-
-template <std::size_t N>
-std::vector<std::string> strings(const std::array<std::string_view, N>& names) {
-  return {names.begin(), names.end()};
-}
-
-template <class Enum, std::size_t N>
-Enum chosen(const std::array<std::string_view, N>& names, std::string_view name) {
-  return Enum(std::ranges::find(names, name) - names.begin());
-}
-
-Light light_of(std::string_view name) {
-  if (name == "directional") return DirectionalLight{.direction = {1.5, 3.0, -3.5}, .color = {}};
-  if (name == "spot") return SpotLight{};
-  return PointLight{};
-}
-
-ShaderJob job_of_name(const ShaderFlags& flags) {
-  ShaderJob job;
-  const std::optional<Material> material = with_formula(job.view.material, flags.shader);
-  if (!material) {
-    throw Error(fmt::format(
-        "shader {} is not known; give a space ({}) and a model ({}), as in yiq-phong; all: --list",
-        flags.shader, fmt::join(space_use_names(), ", "), fmt::join(kModelNames, ", ")));
-  }
-  job.name = flags.shader;
-  job.shot = {"final", Stage::kFinal, *material};
-  Material& m = job.shot.material;
-  m.rate = chosen<Rate>(kRateNames, flags.rate);
-  m.gamut = chosen<Gamut>(kGamutNames, flags.gamut);
-  if (flags.gated) m.highlights = Highlights::kGated;
-  if (flags.lights.empty()) return job;
-  job.view.lights.clear();
-  for (const std::string& light : flags.lights) job.view.lights.push_back(light_of(light));
-  return job;
-}
-
-/// A file name's stem as a shader's name.
-std::string name_of_scene(const std::string& source) {
-  std::string name = source == "-" ? "scene" : fs::path(source).stem().string();
-  for (char& c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    c = byte < 0x80 && std::isalnum(byte) ? char(std::tolower(byte)) : '-';
-  }
-  return name;
-}
-
-/// A scene's shader: only what the scene needs.
-ShaderJob job_of_scene(const SceneSpec& spec, const std::string& source) {
-  ShaderJob job;
-  job.view = spec.view;
-  job.shot = {"final", Stage::kFinal, spec.view.material};
-  job.name = name_of_scene(source);
-  if (const auto* color = std::get_if<PlainColor>(&spec.texture)) job.color = color->rgb;
-  return job;
-}
-
-void check_name(const std::string& name) {
-  const auto plain = [](unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-  };
-  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z' && std::ranges::all_of(name, plain)) return;
-  throw Error(fmt::format(
-      "the shader's name must be a letter, then lower-case letters, digits and -, got {}; choose "
-      "one with --name",
-      name));
-}
 
 /// The languages asked for that can express the job. "all" leaves the others out and tells why.
 std::vector<Language> languages_of(const ShaderFlags& flags, const ShaderJob& job) {
@@ -213,7 +143,7 @@ void emit_all(const ShaderFlags& flags) {
   Package images;
   SceneInput input;
   if (flags.scene.empty()) {
-    job = job_of_name(flags);
+    job = job_of_formula(flags.formula);
   } else {
     input = read_scene(flags.scene);
     job = job_of_scene(input.spec, flags.scene);
@@ -224,7 +154,7 @@ void emit_all(const ShaderFlags& flags) {
     }
   }
   if (!flags.name.empty()) job.name = flags.name;
-  check_name(job.name);
+  check_shader_name(job.name);
   if (flags.all_parameters) job.keep = Keep::kAll;
   const std::vector<Written> all = write_all(flags, job, images, input);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -237,11 +167,11 @@ void emit_all(const ShaderFlags& flags) {
 }
 
 void run(const ShaderFlags& flags) {
-  if (flags.list || (flags.shader.empty() && flags.scene.empty())) {
+  if (flags.list || (flags.formula.shader.empty() && flags.scene.empty())) {
     fmt::print("{}", flags.out.json ? shader_list_json() : shader_list_text());
     return;
   }
-  if (!flags.shader.empty() && !flags.scene.empty()) {
+  if (!flags.formula.shader.empty() && !flags.scene.empty()) {
     throw Error("give a shader's name or --scene, not both");
   }
   emit_all(flags);
@@ -253,49 +183,63 @@ std::vector<std::string> language_names() {
   return names;
 }
 
+std::vector<Argument> shader_arguments(ShaderFlags& flags) {
+  std::vector<Argument> all{
+      {.names = "shader",
+       .target = &flags.formula.shader,
+       .meaning = "a space and a model, as in yiq-phong",
+       .value = "SHADER",
+       .default_text = "list them",
+       .choices = formula_names(),
+       .checked = false},
+      {.names = "--scene",
+       .target = &flags.scene,
+       .meaning = "emit the shader of this scene, with nothing that the scene does not need",
+       .value = kScene,
+       .choices = scene_argument(flags.scene).choices,
+       .checked = false},
+      {.names = "--lang",
+       .target = &flags.languages,
+       .meaning = "languages to emit",
+       .choices = language_names(),
+       .list = true,
+       .greedy = true},
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "the folder to write to",
+       .value = kFolder},
+      {.names = "--name", .target = &flags.name, .meaning = "name of the shader and its files"},
+      {.names = "--list", .target = &flags.list, .meaning = "list what each language can express"},
+      {.names = "--glslang",
+       .target = &flags.programs.glslang,
+       .meaning = "glslangValidator, to count instructions",
+       .value = kProgram}};
+  append(all, output_arguments(flags.out));
+  append(all, formula_arguments(flags.formula));
+  all.push_back({.names = "--all-parameters",
+                 .target = &flags.all_parameters,
+                 .meaning = "keep every number as a parameter, also those that are 0 or 1",
+                 .heading = "Formula"});
+  return all;
+}
+
 }  // namespace
 
-void add_shader_command(CLI::App& program) {
-  auto flags = std::make_shared<ShaderFlags>();
-  CLI::App* command =
-      program.add_subcommand("shader", "Emit a lighting formula as a shader in other languages");
-  command->add_option("shader", flags->shader, "a space and a model: yiq-phong; see --list");
-  command->add_option("--scene", flags->scene,
-                      "the shader of this scene, with nothing that the scene does not need");
-  command->add_option("--lang", flags->languages, "languages, or all")
-      ->delimiter(',')
-      ->check(CLI::IsMember(language_names()))
-      ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "the folder to write to")
-      ->capture_default_str();
-  command->add_option("--name", flags->name, "of the shader and its files");
-  command->add_option("--light", flags->lights, "point, directional or spot; may be repeated")
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(strings(kLightNames)));
-  command->add_option("--rate", flags->rate, "where light is computed: pixel or vertex")
-      ->check(CLI::IsMember(strings(kRateNames)))
-      ->capture_default_str();
-  command->add_option("--gamut", flags->gamut, "colours outside [0, 1]: free, clamp or chroma")
-      ->check(CLI::IsMember(strings(kGamutNames)))
-      ->capture_default_str();
-  command->add_flag("--gated", flags->gated, "no highlights where the light is behind");
-  command->add_flag("--all-parameters", flags->all_parameters,
-                    "keep every number as a parameter, also those that are 0 or 1");
-  command->add_flag("--list", flags->list, "what each language can express");
-  command
-      ->add_option("--glslang", flags->programs.glslang, "glslangValidator, to count instructions")
-      ->capture_default_str();
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot shader --list\n"
-      "  lumaknot shader yiq-phong --lang glsl-330 -o out/\n"
-      "  lumaknot shader cielab-cook-torrance --lang hlsl,osl --light spot -o out/\n"
-      "  lumaknot shader --scene scene.json --lang all -o out/");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+Subcommand shader_command() {
+  const auto flags = std::make_shared<ShaderFlags>();
+  return {.name = "shader",
+          .group = Group::kMake,
+          .about = "Emit a lighting formula as a shader in other languages",
+          .arguments = shader_arguments(*flags),
+          .examples = {{"lumaknot shader --list"},
+                       {"lumaknot shader yiq-phong --lang glsl-330 -o out/"},
+                       {"lumaknot shader cielab-cook-torrance --lang hlsl,osl --light spot"},
+                       {"lumaknot shader --scene scene.json --lang all -o out/"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            run(*flags);
+            return kExitAgreed;
+          }};
 }
 
 }  // namespace lumaknot

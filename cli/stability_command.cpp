@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -146,32 +146,54 @@ void run(const StabilityFlags& flags) {
                             (fs::path(flags.output) / "index.html").string()));
 }
 
+std::vector<std::string> region_names() {
+  std::vector<std::string> names;
+  for (const Region& region : all_regions()) names.push_back(region.name);
+  return names;
+}
+
+std::vector<Argument> stability_arguments(StabilityFlags& flags) {
+  std::vector<Argument> all{
+      {.names = "regions",
+       .target = &flags.regions,
+       .meaning = "names of regions to examine",
+       .value = "REGION",
+       .default_text = "all",
+       .choices = region_names(),
+       .checked = false},
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "a folder for index.html, atlas.json and a folder of pictures per region (needs "
+                  "gnuplot), added to what the folder holds",
+       .value = kFolder,
+       .default_text = "print the boundaries alone"},
+      {.names = "--list", .target = &flags.list, .meaning = "only list the regions"},
+      {.names = "--resume",
+       .target = &flags.resume,
+       .meaning = "skip what the folder of --output holds already, as after an interrupted run"}};
+  append(all, output_arguments(flags.out));
+  return all;
+}
+
 }  // namespace
 
-void add_stability_command(CLI::App& program) {
-  auto flags = std::make_shared<StabilityFlags>();
-  CLI::App* command = program.add_subcommand(
-      "stability", "Find and draw where methods fail, with the reason and the remedy");
-  command->add_option("regions", flags->regions, "regions by name; all unless given");
-  command->add_option(
-      "-o,--output", flags->output,
-      "a folder for index.html, atlas.json and a folder of pictures for each region "
-      "(needs gnuplot), joined to what the folder holds; unless given, the boundaries alone");
-  command->add_flag("--list", flags->list, "only name the regions");
-  command->add_flag("--resume", flags->resume,
-                    "leave out what --output holds already, as from a run that was stopped");
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Examples:\n"
-      "  lumaknot stability -o atlas/\n"
-      "  lumaknot stability --list\n"
-      "  lumaknot stability frenet-inflection phong-cutoff\n"
-      "  lumaknot stability frenet-inflection -o atlas/   anew, the others stay\n"
-      "  lumaknot stability -o atlas/ --resume");
-  command->callback([flags] {
-    const InterruptGuard guard;
-    run(*flags);
-  });
+Subcommand stability_command() {
+  const auto flags = std::make_shared<StabilityFlags>();
+  return {
+      .name = "stability",
+      .group = Group::kStudy,
+      .about = "Find and draw where methods fail, with the reason and the remedy",
+      .arguments = stability_arguments(*flags),
+      .examples = {{"lumaknot stability -o atlas/"},
+                   {"lumaknot stability --list"},
+                   {"lumaknot stability frenet-inflection phong-cutoff"},
+                   {"lumaknot stability frenet-inflection -o atlas/", "again, keeping the others"},
+                   {"lumaknot stability -o atlas/ --resume"}},
+      .run = [flags] {
+        const InterruptGuard guard;
+        run(*flags);
+        return kExitAgreed;
+      }};
 }
 
 }  // namespace lumaknot

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 
@@ -11,11 +10,6 @@ namespace lumaknot {
 
 void Output::say(const std::string& line) const {
   if (!quiet && !json) fmt::print("{}\n", line);
-}
-
-void add_output_flags(CLI::App& command, Output& output) {
-  command.add_flag("--quiet", output.quiet, "say nothing but errors");
-  command.add_flag("--json", output.json, "tell the result as JSON on standard output");
 }
 
 std::function<void(double)> progress_bar(const Output& output, std::string label) {

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output_folder.h"
 #include "cli/scene_input.h"
+#include "cli/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/atomic_file.h"
 #include "scene/check.h"
@@ -140,58 +140,55 @@ std::vector<std::string> model_names() {
   return names;
 }
 
-}  // namespace
-
-void add_program_flags(CLI::App& command, Programs& programs) {
-  command.add_option("--povray", programs.povray, "POV-Ray's program")->capture_default_str();
-  command.add_option("--blender", programs.blender, "Blender's program")->capture_default_str();
-  command.add_option("--xvfb", programs.xvfb, "the X server that Eevee draws on")
-      ->capture_default_str();
-  command.add_option("--gpu", programs.gpu,
-                     "lumaknot-gpu, for gl, gles, vulkan and hlsl; unless given, the one beside "
-                     "this program");
-  command.add_option("--glslang", programs.glslang, "glslangValidator, for vulkan and hlsl")
-      ->capture_default_str();
-  command.add_option("--osl-python", programs.osl_python,
-                     "a Python with the module bpy, for osl; unless given, the one of "
-                     "scripts/install-extras");
+std::vector<Argument> validate_arguments(ValidateFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "the folder for report.html and report.json",
+       .value = kFolder},
+      {.names = "--model",
+       .target = &flags.models,
+       .meaning =
+           "a material to draw: scene, one of the paper's (phong, yiq-table1, yiq-eq6), or a "
+           "shader of lumaknot shader --list",
+       .default_text = "the scene's own and the paper's",
+       .choices = model_names()},
+      {.names = "--renderer,--against",
+       .target = &flags.renderers,
+       .meaning = "renderers to run",
+       .default_text = "cycles,povray,eevee,gl,vulkan",
+       .choices = renderer_names(),
+       .list = true},
+      {.names = "--time-limit",
+       .target = &flags.time_limit,
+       .meaning = "seconds that a renderer may take",
+       .range = kPositive,
+       .checked = false}};
+  append(all, output_arguments(flags.out));
+  append(all, program_arguments(flags.programs));
+  return all;
 }
 
-void add_validate_command(CLI::App& program, int& exit_code) {
-  auto flags = std::make_shared<ValidateFlags>();
-  CLI::App* command = program.add_subcommand(
-      "validate", "Draw a scene with every renderer and prove or disprove that they agree");
-  command->add_option("scene", flags->scene, "scene file, built-in scene, or -")
-      ->capture_default_str();
-  command->add_option("-o,--output", flags->output, "the folder for report.html and report.json")
-      ->capture_default_str();
-  command
-      ->add_option("--model", flags->models,
-                   "a material to draw; may be repeated; all unless given")
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(model_names()));
-  command
-      ->add_option("--renderer,--against", flags->renderers,
-                   "renderers to run, divided by commas; unless given cycles, povray, eevee, gl, "
-                   "vulkan")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(renderer_names()));
-  command->add_option("--time-limit", flags->time_limit, "seconds that a renderer may take")
-      ->capture_default_str();
-  add_program_flags(*command, flags->programs);
-  add_output_flags(*command, flags->out);
-  command->footer(
-      "Exit code: 0 agreed, 1 differed, 2 wrong use or input, 3 nothing to compare with.\n"
-      "Examples:\n"
-      "  lumaknot validate -o report/\n"
-      "  lumaknot validate scene.json --model scene --renderer povray -o report/\n"
-      "  lumaknot validate --model cielab-cook-torrance --against gl,vulkan -o report/\n"
-      "  lumaknot validate figure1-back --blender /opt/blender-4.2/blender -o report/");
-  command->callback([flags, &exit_code] {
-    const InterruptGuard guard;
-    exit_code = run(*flags);
-  });
+}  // namespace
+
+Subcommand validate_command() {
+  const auto flags = std::make_shared<ValidateFlags>();
+  return {.name = "validate",
+          .group = Group::kProve,
+          .about = "Draw a scene with every renderer and prove or disprove that they agree",
+          .arguments = validate_arguments(*flags),
+          .notes =
+              "Exit code: 0 agreed, 1 differed, 2 wrong use or input, 3 nothing to compare "
+              "with.",
+          .examples = {{"lumaknot validate -o report/"},
+                       {"lumaknot validate scene.json --model scene --renderer povray -o report/"},
+                       {"lumaknot validate --model cielab-cook-torrance --against gl,vulkan"},
+                       {"lumaknot validate figure1-back --blender /opt/blender-4.2/blender"}},
+          .run = [flags] {
+            const InterruptGuard guard;
+            return run(*flags);
+          }};
 }
 
 }  // namespace lumaknot

@@ -14,15 +14,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(Program, every_command_has_help_with_an_example) {
-  for (const std::string command : {"scene", "mesh", "render", "export", "shader", "budget",
-                                    "validate", "bench", "doctor", "completion"}) {
-    const Ended ended = lumaknot({command, "--help"});
-    EXPECT_EQ(ended.exit_code, 0);
-    EXPECT_THAT(ended.log, AllOf(HasSubstr("Example"), HasSubstr("lumaknot " + command)));
-  }
-}
-
 TEST_F(Program, no_or_an_unknown_command_is_refused) {
   expect_refused({}, "a command is needed");
   expect_refused({"reder"}, "reder");
@@ -223,14 +214,6 @@ TEST_F(Program, doctor_tells_how_to_get_what_is_missing) {
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.log,
               AllOf(HasSubstr("apt-get install povray"), HasSubstr("apt-get install blender")));
-}
-
-TEST_F(Program, completion_knows_every_command) {
-  for (const std::string shell : {"bash", "zsh", "fish"}) {
-    const Ended ended = lumaknot({"completion", shell});
-    EXPECT_EQ(ended.exit_code, 0);
-    EXPECT_THAT(ended.log, AllOf(HasSubstr("validate"), HasSubstr("repeat-u")));
-  }
 }
 
 TEST_F(Program, published_schema_accepts_the_built_in_scenes_and_refuses_what_we_refuse) {

@@ -18,8 +18,13 @@ class Program : public ::testing::Test {
  protected:
   Ended lumaknot(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
-    fs::remove(folder_.path() / "lumaknot.log");
-    return run({arguments, folder_.path(), sanitizer_options()}, std::chrono::seconds(60));
+    return run_here(arguments, sanitizer_options());
+  }
+  /// Any program, of whose runs here no other is in the log.
+  Ended run_here(const std::vector<std::string>& arguments,
+                 const std::vector<std::string>& environment) {
+    fs::remove(folder_.path() / (fs::path(arguments.front()).filename().string() + ".log"));
+    return run({arguments, folder_.path(), environment}, std::chrono::seconds(60));
   }
   /// A program built with sanitizers needs the options that this test was given.
   static std::vector<std::string> sanitizer_options() {
