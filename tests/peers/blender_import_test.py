@@ -95,7 +95,7 @@ def importers():
     import bpy
     built_in = dir(bpy.ops.wm)
     # Faces of .obj files are flat in Blender 3.4 and smooth, as the other formats', in 4.3, without
-    # auto smooth: 5.5e-5 and 3.1e-4.
+    # auto smooth: 7.5e-5 and 3.1e-4.
     flat = bpy.app.version < (4, 1)
     yield Importer(".obj", ".obj", lambda path: bpy.ops.wm.obj_import(
         filepath=path, forward_axis="Y", up_axis="Z"), sewn=True,
