@@ -24,6 +24,8 @@ template <class... Fs>
 struct Overloaded : Fs... {
   using Fs::operator()...;
 };
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
 
 /// The knot as renderers want it: Babylon.js's triangles are clockwise, for its left-handed world.
 TriangleMesh knot_to_draw(const KnotSpec& knot) {

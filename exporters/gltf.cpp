@@ -21,6 +21,8 @@ template <class... Fs>
 struct Overloaded : Fs... {
   using Fs::operator()...;
 };
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
 
 std::array<double, 3> decoded(const Vec3d& encoded) {
   return {decode_srgb(encoded.x), decode_srgb(encoded.y), decode_srgb(encoded.z)};

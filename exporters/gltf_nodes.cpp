@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
 #include <span>
 #include <string>
 
@@ -178,8 +177,9 @@ void SceneTree::visit(const std::function<void(const MeshInstance&)>& visit) con
       if (node.mesh != kNoGltfIndex) {
         visit({std::size_t(node.mesh), std::size_t(index), placement});
       }
-      for (const int child : std::views::reverse(list(model, node.children))) {
-        ahead.push_back({child, placement});
+      const auto children = list(model, node.children);
+      for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        ahead.push_back({*child, placement});
       }
     }
   }

@@ -25,7 +25,7 @@ inline Quad quad_of(const Triangle& a, const Triangle& b) {
   const std::uint32_t fourth = other == b.end() ? b[0] : *other;
   // Begin where `a` does, so that a writer's first corner is the mesh's.
   Quad quad{turned[0], turned[1], fourth, turned[2]};
-  std::ranges::rotate(quad, std::ranges::find(quad, a[0]));
+  std::rotate(quad.begin(), std::ranges::find(quad, a[0]), quad.end());
   return quad;
 }
 

@@ -1,6 +1,7 @@
 #include "shaders/shader.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace lumaknot {
 namespace {
@@ -11,7 +12,7 @@ void add_once(std::vector<ShaderParameter>& list, const ShaderParameter& paramet
 }
 
 void vectors_first(std::vector<ShaderParameter>& list) {
-  std::ranges::stable_partition(list, &ShaderParameter::is_vector);
+  std::stable_partition(list.begin(), list.end(), std::mem_fn(&ShaderParameter::is_vector));
 }
 
 StageReads reads_of(const std::vector<NodePtr>& roots) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "exporters/image_file.h"
 
@@ -41,8 +40,7 @@ RenderedShot drawn_image(const std::filesystem::path& path, const View& view) {
 }
 
 std::string line_with(std::string_view text, std::string_view prefix) {
-  for (const auto part : std::views::split(text, '\n')) {
-    const std::string_view line(part.begin(), part.end());
+  for (const std::string_view line : split(text, '\n')) {
     if (line.starts_with(prefix)) return std::string(line);
   }
   return {};
@@ -52,8 +50,7 @@ std::string bad_end(const Ended& ended) {
   if (ended.timed_out) return fmt::format("killed at its time limit after {:.0f} s", ended.seconds);
   if (ended.exit_code == 0) return {};
   std::string last;
-  for (const auto part : std::views::split(ended.log, '\n')) {
-    const std::string_view line(part.begin(), part.end());
+  for (const std::string_view line : split(ended.log, '\n')) {
     if (line.find_first_not_of(" \r\t") != std::string_view::npos) last = line;
   }
   return fmt::format("ended with exit code {}: {}", ended.exit_code, last);

@@ -16,7 +16,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <ranges>
 #include <string_view>
 
 namespace lumaknot {
@@ -211,6 +210,15 @@ Ended run(const Command& command, std::chrono::duration<double> limit) {
   return Process(command).wait(limit);
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + 1)) {
+    parts.push_back(text.substr(0, end));
+  }
+  parts.push_back(text);
+  return parts;
+}
+
 fs::path find_program(const std::string& name) {
   const auto runs = [](const fs::path& p) {
     std::error_code ignored;
@@ -218,8 +226,8 @@ fs::path find_program(const std::string& name) {
   };
   if (name.find('/') != std::string::npos) return runs(name) ? fs::absolute(name) : fs::path();
   const char* path = std::getenv("PATH");
-  for (const auto part : std::views::split(std::string_view(path ? path : ""), ':')) {
-    const fs::path candidate = fs::path(std::string_view(part.begin(), part.end())) / name;
+  for (const std::string_view part : split(path ? path : "", ':')) {
+    const fs::path candidate = fs::path(part) / name;
     if (candidate.is_absolute() && runs(candidate)) return candidate;
   }
   return {};

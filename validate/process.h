@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lumaknot {
@@ -84,6 +85,9 @@ class InterruptGuard {
 
 /// Throws Interrupted when, an InterruptGuard being there, the user asked to stop.
 void check_interrupted();
+
+/// The parts of `text` between separators, one more than these.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// `command` from start to end.
 Ended run(const Command& command, std::chrono::duration<double> limit);

@@ -13,9 +13,9 @@ namespace lumaknot {
 namespace {
 
 constexpr std::size_t kSpeedSection = 4;
-constexpr std::size_t kClassical = 0, kTable1 = 2;  // of kRateShots
-constexpr double kRealTime = 30;                    // frames a second
-constexpr double kNoise = 0.5;                      // percent that costs vary by between runs
+constexpr std::size_t kTable1 = 2;  // of kRateShots
+constexpr double kRealTime = 30;    // frames a second
+constexpr double kNoise = 0.5;      // percent that costs vary by between runs
 
 double percent(double share) { return 100 * share; }
 double cost_of(const PaperRow& row) { return percent(1 - row.yiq / row.classical); }

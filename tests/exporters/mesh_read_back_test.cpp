@@ -60,9 +60,8 @@ void for_each_corner(const ReadMesh& read, const TriangleMesh& written, Check ch
     auto halfedges = corners(read, t);
     ASSERT_EQ(halfedges.size(), 3u);
     const Vec3<float> first = narrowed(written.positions[written.triangles[t][0]]);
-    std::ranges::rotate(halfedges, std::ranges::find_if(halfedges, [&](auto halfedge) {
-                          return position(read, halfedge) == first;
-                        }));
+    const auto same = [&](auto halfedge) { return position(read, halfedge) == first; };
+    std::rotate(halfedges.begin(), std::ranges::find_if(halfedges, same), halfedges.end());
     for (std::size_t c = 0; c < 3; ++c) check(halfedges[c], written.triangles[t][c]);
   }
 }

@@ -91,10 +91,10 @@ TEST(QuadOf, every_turn_of_both_halves_is_the_quad_beginning_with_the_first) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       Triangle a{7, 8, 9}, b{7, 9, 5};  // of 7 8 9 5
-      std::ranges::rotate(a, a.begin() + std::ptrdiff_t(i));
-      std::ranges::rotate(b, b.begin() + std::ptrdiff_t(j));
+      std::rotate(a.begin(), a.begin() + std::ptrdiff_t(i), a.end());
+      std::rotate(b.begin(), b.begin() + std::ptrdiff_t(j), b.end());
       Quad expected{7, 8, 9, 5};
-      std::ranges::rotate(expected, std::ranges::find(expected, a[0]));
+      std::rotate(expected.begin(), std::ranges::find(expected, a[0]), expected.end());
       EXPECT_EQ(quad_of(a, b), expected);
     }
   }

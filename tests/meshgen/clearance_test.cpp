@@ -227,7 +227,7 @@ TEST(Clearance, is_the_same_whichever_component_comes_first) {
   std::vector<Curve> link = components(knot_of(6, 9));
   const double exact = clearance(link).radius;
   for (int i = 0; i < 3; ++i) {
-    std::ranges::rotate(link, link.begin() + 1);
+    std::rotate(link.begin(), link.begin() + 1, link.end());
     EXPECT_NEAR(clearance(link).radius, exact, 1e-12 * exact);  // rounding
   }
 }

@@ -91,10 +91,11 @@ class Importer:
 
 
 def importers():
-    """All that read our formats. The ones in Python left Blender with 4.0 (.obj, .ply) and 4.2."""
+    """All that read our formats; some of Blender 3 are in Python. That of .obj left with 4.0."""
     import bpy
-    # With 4.1 auto smooth left, and faces of .obj files became smooth like those of the others:
-    # 3.1e-4 in place of 5.5e-5.
+    built_in = dir(bpy.ops.wm)
+    # Faces of .obj files are flat in Blender 3.4 and smooth, as the other formats', in 4.3, without
+    # auto smooth: 7.5e-5 and 3.1e-4.
     flat = bpy.app.version < (4, 1)
     yield Importer(".obj", ".obj", lambda path: bpy.ops.wm.obj_import(
         filepath=path, forward_axis="Y", up_axis="Z"), sewn=True,
@@ -102,12 +103,13 @@ def importers():
     if bpy.app.version < (4, 0):
         yield Importer(".obj in Python", ".obj", lambda path: bpy.ops.import_scene.obj(
             filepath=path, axis_forward="Y", axis_up="Z"), sewn=True, quads=True)
-        yield Importer(".ply", ".ply", lambda path: bpy.ops.import_mesh.ply(filepath=path),
-                       normals=0, quads=True)
-    else:
+    if "ply_import" in built_in:
         yield Importer(".ply", ".ply", lambda path: bpy.ops.wm.ply_import(filepath=path),
                        quads=True)
-    read_stl = bpy.ops.import_mesh.stl if bpy.app.version < (4, 2) else bpy.ops.wm.stl_import
+    else:
+        yield Importer(".ply", ".ply", lambda path: bpy.ops.import_mesh.ply(filepath=path),
+                       normals=0, quads=True)
+    read_stl = bpy.ops.wm.stl_import if "stl_import" in built_in else bpy.ops.import_mesh.stl
     yield Importer(".stl", ".stl", lambda path: read_stl(filepath=path),
                    sewn=True, uvs=False, normals=0)
     for suffix in (".glb", ".gltf"):

@@ -35,6 +35,9 @@ Vec3d each(const Sockets& s, F f) {
   return {f(va(s).x, vb(s).x), f(va(s).y, vb(s).y), f(va(s).z, vb(s).z)};
 }
 
+/// Blender answers a division by zero with zero.
+inline double quotient(double x, double y) { return y != 0 ? x / y : 0; }
+
 /// safe_normalize: zero stays zero.
 inline Vec3d normalized(const Vec3d& v) { return length(v) > 0 ? v / length(v) : v; }
 
@@ -48,8 +51,7 @@ inline Nodes math_nodes() {
   return {{"ADD", node(two, [](const Sockets& s) { return number(a(s) + b(s)); })},
           {"SUBTRACT", node(two, [](const Sockets& s) { return number(a(s) - b(s)); })},
           {"MULTIPLY", node(two, [](const Sockets& s) { return number(a(s) * b(s)); })},
-          // Blender answers a division by zero with zero.
-          {"DIVIDE", node(two, [](const Sockets& s) { return number(b(s) ? a(s) / b(s) : 0); })},
+          {"DIVIDE", node(two, [](const Sockets& s) { return number(quotient(a(s), b(s))); })},
           {"MAXIMUM", node(two, [](const Sockets& s) { return number(std::fmax(a(s), b(s))); })},
           {"MINIMUM", node(two, [](const Sockets& s) { return number(std::fmin(a(s), b(s))); })},
           {"POWER", node(two, [](const Sockets& s) { return number(std::pow(a(s), b(s))); })},
