@@ -43,7 +43,7 @@ while zpty -r shell reply; do [[ $reply == *ready* ]] && break; done
 : > found
 integer count=0
 while IFS= read -r line; do
-  zpty -n -w shell "$line"$'\C-Y\C-X'
+  zpty -n -w shell "$line"$'\C-Y\C-T'
   count+=1
   while (( $(wc -l < found) < count )); do zpty -r -t shell reply; sleep 0.02; done
   tail -n 1 found | IFS= read -r found
@@ -61,7 +61,7 @@ zstyle ':completion:all::::' completer _all_matches _complete
 zstyle ':completion:all:*' insert yes
 report() { print -r -- $BUFFER >> found; BUFFER= }
 zle -N report
-bindkey '^X' report
+bindkey '^T' report
 )";
 
 class Completion : public Program {
