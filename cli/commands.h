@@ -1,4 +1,4 @@
-/// The commands, one a file, and the program that runs them.
+/// The commands, one per file.
 #pragma once
 
 #include <string_view>
@@ -35,10 +35,5 @@ Subcommand program_command();
 
 /// "0.1.0"
 std::string_view program_version();
-
-/// The program: parses `argv`, runs one command, reports every error in one line. Returns the exit
-/// code: 0 done or agreed, 1 renderers differ or a tolerance
-/// can't be met, 2 wrong use or input, 3 nothing to compare with.
-int run_program(int argc, char** argv);
 
 }  // namespace lumaknot

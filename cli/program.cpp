@@ -1,3 +1,5 @@
+#include "cli/program.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
