@@ -6,17 +6,10 @@
 #include <utility>
 
 #include "cli/layout.h"
+#include "scene/overloaded.h"
 
 namespace lumaknot {
 namespace {
-
-/// One function per type, for std::visit.
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 std::string numbers(const std::vector<int>& values) {
   std::vector<std::string> words;

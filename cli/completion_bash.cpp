@@ -9,7 +9,7 @@ namespace {
 /// By Completion: what the script calls it.
 constexpr const char* kKinds[] = {"nothing", "word", "list", "file", "folder", "program", "scene"};
 
-constexpr const char* kScript = R"(
+constexpr const char* kBashFunctions = R"(
 # Completes a value; a list's without the words that it holds.
 _lumaknot_complete() {
   local kind=$1 words=$2 current=$3 before="" word
@@ -92,7 +92,7 @@ std::string bash_completion(const Subcommand& program, std::span<const Subcomman
       "# bash completion of lumaknot\n\n"
       "# Sets kind and words to what may follow a word of a command.\n"
       "_lumaknot_describe() {{\n  case \"$1 $2\" in\n{}  esac\n}}\n{}",
-      cases, kScript);
+      cases, kBashFunctions);
 }
 
 }  // namespace lumaknot

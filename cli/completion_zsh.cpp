@@ -6,7 +6,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr const char* kScript = R"(
+constexpr const char* kZshFunctions = R"(
 _lumaknot_scenes() {
   local -a scenes=($@)
   _alternative 'scenes:built-in scene:compadd -a scenes' 'files:scene file:_files'
@@ -120,7 +120,7 @@ std::string zsh_completion(const Subcommand&, std::span<const Subcommand> comman
       "    command) _describe -V command known ;;\n"
       "    arguments) case $words[1] in\n{}    esac ;;\n"
       "  esac\n}}\n{}",
-      described(commands), cases, kScript);
+      described(commands), cases, kZshFunctions);
 }
 
 }  // namespace lumaknot

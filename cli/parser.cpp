@@ -27,13 +27,13 @@ struct Adder {
   }
 };
 
-bool is_whole(const Argument& argument) {
+bool takes_int(const Argument& argument) {
   return std::holds_alternative<int*>(argument.target) ||
          std::holds_alternative<std::vector<int>*>(argument.target);
 }
 
 CLI::Validator member_of(const Argument& argument) {
-  if (!is_whole(argument)) return CLI::IsMember(argument.choices);
+  if (!takes_int(argument)) return CLI::IsMember(argument.choices);
   std::vector<int> numbers;
   for (const std::string& choice : argument.choices) numbers.push_back(std::stoi(choice));
   return CLI::IsMember(numbers);
@@ -42,7 +42,7 @@ CLI::Validator member_of(const Argument& argument) {
 CLI::Validator within(const Argument& argument) {
   const Bound& range = *argument.range;
   if (range.open_min) return CLI::PositiveNumber;
-  if (is_whole(argument)) return CLI::Range(int(range.min), int(range.max));
+  if (takes_int(argument)) return CLI::Range(int(range.min), int(range.max));
   return CLI::Range(range.min, range.max);
 }
 

@@ -11,6 +11,7 @@
 #include "scene/atomic_file.h"
 #include "scene/bricks.h"
 #include "scene/error.h"
+#include "scene/overloaded.h"
 #include "scene/presets.h"
 #include "scene/scene_json.h"
 
@@ -18,14 +19,6 @@ namespace lumaknot {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// One function a type, for std::visit.
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 /// The knot as renderers want it: Babylon.js's triangles are clockwise, for its left-handed world.
 TriangleMesh knot_to_draw(const KnotSpec& knot) {

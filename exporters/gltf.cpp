@@ -7,6 +7,7 @@
 
 #include "exporters/gltf_document.h"
 #include "exporters/image_file.h"
+#include "scene/overloaded.h"
 #include "scene/scene_json.h"
 #include "shaders/srgb.h"
 
@@ -15,14 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using std::numbers::pi;
-
-/// One function a type, for std::visit.
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 std::array<double, 3> decoded(const Vec3d& encoded) {
   return {decode_srgb(encoded.x), decode_srgb(encoded.y), decode_srgb(encoded.z)};
