@@ -36,7 +36,7 @@ def check_programs(prefix):
         lumaknot("render", "scene.json", "-o", "knot.exr")
         check(Path(folder, "knot.exr").stat().st_size > 1000, "render writes an image")
         found = {r["renderer"]: r for r in json.loads(lumaknot("doctor", "--json"))}
-        check(found["gl"]["found"], "doctor finds gl by the helper that was installed")
+        check(found["GL"]["found"], "doctor finds gl by the helper that was installed")
         lumaknot("validate", "scene.json", "--renderer", "gl", "-o", "report")  # exit code 0: agreed
         report = json.loads(Path(folder, "report", "report.json").read_text(encoding="utf-8"))
         check(report["verdict"] == "agreed", "validate agrees")

@@ -15,7 +15,7 @@ def main(root, build, configuration):
         run("cpack", "-C", configuration, "--config", Path(build, "CPackConfig.cmake"), "-B", folder)
         (package,) = Path(folder).glob("lumaknot_*.deb")
         depends = run("dpkg-deb", "-f", package, "Depends")
-        for library in ("libc6", "libopenimageio", "libopenmeshcore", "libtbb", "libfmt"):
+        for library in ("libc6", "libopenimageio", "libopenmesh", "libtbb", "libfmt"):
             check(library in depends, f"{library} is a dependency; got {depends}")
         unpacked = Path(folder, "unpacked")
         run("dpkg-deb", "-x", package, unpacked)
