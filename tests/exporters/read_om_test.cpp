@@ -54,8 +54,8 @@ TEST(ReadOm, status_and_custom_properties_are_passed_over) {
   knot.property(property).set_persistent(true);
   const std::string plain =
       testing::written_by_openmesh(testing::tiny_knot(), ".om", Options::Binary);
-  const std::string bytes =
-      testing::written_by_openmesh(knot, ".om", Options(Options::Binary | Options::Status));
+  const std::string bytes = testing::written_by_openmesh(
+      knot, ".om", Options(Options::Binary | Options::Status | Options::Custom));
   ASSERT_GT(bytes.size(), plain.size() + 4 * 2 * knot.n_vertices());  // both are there
   EXPECT_EQ(read_bytes(read_om, bytes).positions, read_bytes(read_om, plain).positions);
 }
