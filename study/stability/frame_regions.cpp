@@ -10,7 +10,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr double kSide = 360.0 / 40;  // degrees that a side of figure2's tube takes
+constexpr double kSideDegrees = 360.0 / 40;  // degrees that a side of figure2's tube takes
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Spine spine_of(const KnotSpec& knot) { return Spine(components(knot).front()); }
@@ -64,7 +64,7 @@ Region turning(FrameRule rule) {
       "rotation-minimizing frames (the default): they turn with the torus, never about "
       "the line itself";
   region.measured = "largest turn from a ring to the next of 768, degrees";
-  region.limit = kSide;
+  region.limit = kSideDegrees;
   region.error = turn(rule);
   region.guarded = turn(FrameRule::kRotationMinimizing);
   region.sketch = picture(rule);
@@ -147,7 +147,7 @@ Region naive_closing() {
   region.remedy = "spread the holonomy over the arc length, as our frames do";
   region.sweep = {"winding radius w, R = 1", 0.002, 0.6};
   region.measured = "gap between the first ring and the last, degrees (half a side is 4.5)";
-  region.limit = kSide / 2;
+  region.limit = kSideDegrees / 2;
   region.error = [](double w) {
     return gap(unclosed_frames(wound(w, FrameRule::kRotationMinimizing)));
   };
