@@ -51,22 +51,18 @@ def violations(root):
                            f"{match[1]}; besides itself it may include: {may}")
 
 
-def source_root(arguments, usage):
-    """The one argument, SOURCE_ROOT; exits where it is none."""
+def check(violations_of, arguments, usage):
+    """Prints what violations_of(root) yields for the one argument, SOURCE_ROOT; returns the exit status."""
     if len(arguments) != 1:
         sys.exit(usage)
     root = Path(arguments[0])
     missing = [folder for folder in ("scene", "render", "exporters") if not (root / folder).is_dir()]
     if missing:  # a wrong root would pass, having nothing to check
         sys.exit(f"{root} is not the source root: it has no {missing[0]}/")
-    return root
-
-
-def main(arguments):
-    found = list(violations(source_root(arguments, __doc__)))
+    found = list(violations_of(root))
     print("\n".join(found), end="\n" if found else "")
     return 1 if found else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(check(violations, sys.argv[1:], __doc__))

@@ -12,7 +12,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-from check import ALLOWED, source_root
+from check import ALLOWED, check
 
 # As clang-format leaves them: what a namespace holds begins a line, and its end names it.
 OPENS = re.compile(r"namespace ([\w:]+ )?\{$")
@@ -52,11 +52,5 @@ def violations(root):
             yield f"{found[1]}: {type_name} is defined at {found[0]} already; choose another name"
 
 
-def main(arguments):
-    found = list(violations(source_root(arguments, __doc__)))
-    print("\n".join(found), end="\n" if found else "")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(check(violations, sys.argv[1:], __doc__))
