@@ -1,4 +1,4 @@
-// Makes a flat mesh and tells its size in bytes. Its peak of memory is told by who runs it.
+// Builds a flat mesh and prints its size in bytes. The caller measures its peak memory.
 //   lumaknot_bench_mesh SEGMENTS SIDES
 #include <fmt/format.h>
 

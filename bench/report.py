@@ -1,10 +1,10 @@
-"""Runs lumaknot's benches beside their peers and prints the ratios with the bars that they are held to.
+"""Runs lumaknot's benches next to their peers and prints the ratios with their bars.
 
     report.py --build FOLDER --peers FOLDER [--rounds N] [--json FILE]
 
 FOLDER of --build is where cmake built; of --peers, where npm installed three. Every round runs all
 of ours and all of theirs, one after the other; a figure is the median over rounds, and its spread
-the least and the most of them. Exit status 0: every bar is met; 1: one is not, or was not measured.
+their minimum and maximum. Exit status 0: every bar is met; 1: one is not, or was not measured.
 """
 
 import argparse
@@ -22,7 +22,7 @@ from rounds import SIZES, Failed, Turns
 
 @dataclass
 class Row:
-    """A line of the table; `values` has one number a round."""
+    """A line of the table; `values` has one number per round."""
     what: str
     values: list
     unit: str = ""
@@ -35,7 +35,7 @@ class Row:
 
 
 def power(size):
-    """Of ten."""
+    """Of ten: 4 for 10^4."""
     return round(math.log10(size))
 
 
@@ -50,7 +50,7 @@ def at_most(row, bar):
 
 
 def quotient(samples, above, below):
-    """One quotient a round."""
+    """One quotient per round."""
     return [a / b for a, b in zip(samples.medians(above), samples.medians(below), strict=True)]
 
 
@@ -63,7 +63,7 @@ def three_rows(samples):
         for size in SIZES[:3]:
             ours, theirs = f"make_knot/{family}/triangles:{size}", f"three.js/triangles:{size}"
             if samples.counters[ours] != samples.counters[theirs]:
-                sys.exit(f"{ours} and {theirs} made other meshes: {samples.counters[ours]}, "
+                sys.exit(f"{ours} and {theirs} built different meshes: {samples.counters[ours]}, "
                          f"{samples.counters[theirs]}")
             row = Row(f"10^{power(size)} triangles on 1 thread{convention}: faster than three.js",
                       quotient(samples, theirs, ours), " x")
@@ -80,14 +80,14 @@ def large_rows(samples):
 
 
 def exponent(each):
-    """The slope of log time over log size, least squares, of nanoseconds a triangle."""
+    """The slope of log time over log size, least squares, of nanoseconds per triangle."""
     logs = [math.log(size) for size in SIZES]
     return statistics.linear_regression(
         logs, [math.log(ns) + log for ns, log in zip(each, logs, strict=True)]).slope
 
 
 def rms(each):
-    """What Google Benchmark calls RMS: of the fit t = c n, over the mean time, in per cent."""
+    """RMS as in Google Benchmark: of the fit t = c n, over the mean time, in per cent."""
     times = [ns * size for ns, size in zip(each, SIZES, strict=True)]
     slope = sum(map(math.prod, zip(times, SIZES))) / sum(size * size for size in SIZES)
     squares = [(t - slope * size) ** 2 for t, size in zip(times, SIZES, strict=True)]
@@ -126,7 +126,7 @@ def lost(row, samples, name, bar):
 
 
 def speeds(samples, name):
-    """Megabytes a second, one a round."""
+    """Megabytes per second, one per round."""
     return [samples.counters[name]["bytes"] / ms / 1000 for ms in samples.medians(name)]
 
 
@@ -164,7 +164,7 @@ def obj_rows(samples):
 
 
 def other_rows(samples):
-    """What no bar is set for."""
+    """Figures without a bar."""
     for name in sorted(samples.rounds):
         if name.startswith("read_knot/"):
             yield Row(name.replace("_", " "), speeds(samples, name), " MB/s")
@@ -175,9 +175,9 @@ def other_rows(samples):
 def rows_of(samples):
     for rows in (three_rows, large_rows, linear_rows, memory_rows, file_rows, obj_rows, other_rows):
         yield from rows(samples)
-    told = ("memory/", "write_knot/")  # by their own rows
+    reported = ("memory/", "write_knot/")  # by their own rows
     for name, why in samples.failures.items():
-        if not name.startswith(told):
+        if not name.startswith(reported):
             yield Row(name, [], met=False, beside=why)
 
 
@@ -231,9 +231,9 @@ def main():
     print(f"\n{turns.context['num_cpus']} cores, load {load:.1f}, three.js r"
           f"{turns.context['three.js']}, {arguments.rounds} rounds")
     if arguments.json:
-        told = {"context": turns.context, "rows": [asdict(row) for row in rows],
-                "rounds": turns.samples.rounds, "counters": turns.samples.counters}
-        arguments.json.write_text(json.dumps(told, indent=2) + "\n", encoding="utf-8")
+        result = {"context": turns.context, "rows": [asdict(row) for row in rows],
+                  "rounds": turns.samples.rounds, "counters": turns.samples.counters}
+        arguments.json.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     return 0 if all(row.met is not False for row in rows) else 1
 
 

@@ -1,4 +1,4 @@
-"""Runs the benches and their peers in turns, and keeps what every turn measured."""
+"""Runs the benches and their peers in turns, and keeps the results of every turn."""
 
 import json
 import re
@@ -10,16 +10,16 @@ from pathlib import Path
 HERE = Path(__file__).parent
 SIZES = (10**4, 10**5, 10**6, 10**7)
 LARGE = ("6250", "800")  # segments and sides of 10^7 triangles
-LEAST = ("3", "3")
+SMALLEST = ("3", "3")
 THREE_GRIDS = ("250x20", "625x80", "2500x200")
 
 
 class Failed(Exception):
-    """A program that did not do its work; the message says which, and its words."""
+    """A program that failed; the message names it and quotes its output."""
 
 
 class Samples:
-    """What was measured: for each name one list a round, of one number a repetition."""
+    """The measurements: per name one list per round, of one number per repetition."""
 
     def __init__(self):
         self.rounds = {}
@@ -30,7 +30,7 @@ class Samples:
         self.rounds.setdefault(name, []).append(list(values))
 
     def medians(self, name):
-        """One median a round."""
+        """One median per round."""
         return [statistics.median(values) for values in self.rounds[name]]
 
     def __contains__(self, name):
@@ -38,19 +38,19 @@ class Samples:
 
 
 def output_of(command, **options):
-    """What a command printed."""
+    """The output of a command."""
     done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
     if done.returncode != 0:
-        words = (done.stderr or done.stdout).strip().splitlines() or ["no word"]
+        words = (done.stderr or done.stdout).strip().splitlines() or ["no output"]
         raise Failed(f"{Path(command[0]).name}: status {done.returncode}, {words[-1]}")
     return done.stdout
 
 
 def peak_bytes(command, folder):
     """(peak of resident memory, what it printed) of a command."""
-    with tempfile.NamedTemporaryFile("r") as told:
-        text = output_of(["/usr/bin/time", "-f", "%M", "-o", told.name, *command], cwd=folder)
-        return 1024 * int(told.read().split()[-1]), text
+    with tempfile.NamedTemporaryFile("r") as output:
+        text = output_of(["/usr/bin/time", "-f", "%M", "-o", output.name, *command], cwd=folder)
+        return 1024 * int(output.read().split()[-1]), text
 
 
 class Turns:
@@ -62,17 +62,17 @@ class Turns:
         self.context = {}
 
     def knots(self):
-        """A process for each size: how glibc gives memory depends on what it gave before."""
+        """One process per size: how glibc allocates depends on earlier allocations."""
         for size in SIZES:
             self.benches(f"make_knot/.*triangles:{size}/")
 
     def benches(self, pattern):
-        """Those of lumaknot_bench whose names match, in milliseconds."""
-        told = Path(self.folder) / "benches.json"
+        """Runs the benches of lumaknot_bench whose names match, in milliseconds."""
+        output = Path(self.folder) / "benches.json"
         output_of([self.build / "bench/lumaknot_bench", f"--benchmark_filter={pattern}",
                    "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.1",
-                   "--benchmark_out_format=json", f"--benchmark_out={told}"], cwd=self.folder)
-        report = json.loads(told.read_text(encoding="utf-8"))
+                   "--benchmark_out_format=json", f"--benchmark_out={output}"], cwd=self.folder)
+        report = json.loads(output.read_text(encoding="utf-8"))
         self.context.update(report["context"])
         times = {}
         for entry in report["benchmarks"]:
@@ -90,9 +90,9 @@ class Turns:
                                            ("bytes", "vertices", "triangles")}
 
     def three_js(self):
-        told = json.loads(output_of(["node", HERE / "three_js.mjs", self.peers, *THREE_GRIDS]))
-        self.context["three.js"] = told["revision"]
-        for grid in told["grids"]:
+        output = json.loads(output_of(["node", HERE / "three_js.mjs", self.peers, *THREE_GRIDS]))
+        self.context["three.js"] = output["revision"]
+        for grid in output["grids"]:
             name = f"three.js/triangles:{grid['triangles']}"
             self.samples.add(name, [grid["median_ms"]])
             self.samples.counters[name] = {key: grid[key] for key in ("triangles", "vertices")}
@@ -100,10 +100,10 @@ class Turns:
     def memory(self):
         """Peaks of children beyond what they need for the smallest knot, over the flat mesh."""
         mesh = self.build / "bench/lumaknot_bench_mesh"
-        least, _ = peak_bytes([mesh, *LEAST], self.folder)
-        peak, told = peak_bytes([mesh, *LARGE], self.folder)
-        flat = int(told)
-        self.samples.add("memory/mesh", [(peak - least) / flat])
+        smallest, _ = peak_bytes([mesh, *SMALLEST], self.folder)
+        peak, output = peak_bytes([mesh, *LARGE], self.folder)
+        flat = int(output)
+        self.samples.add("memory/mesh", [(peak - smallest) / flat])
         for extension in ("ply", "glb", "obj"):
             name = f"memory/{extension}"
             try:
@@ -117,4 +117,4 @@ class Turns:
             command = [self.build / "lumaknot", "mesh", "--segments", segments, "--sides", sides,
                        "--quiet", "-o", path]
             return peak_bytes(command, self.folder)[0]
-        return peak(*LARGE) - peak(*LEAST)
+        return peak(*LARGE) - peak(*SMALLEST)

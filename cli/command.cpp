@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "cli/layout.h"
-#include "scene/overloaded.h"
+#include "cli/describe/layout.h"
+#include "system/overloaded.h"
 
 namespace lumaknot {
 namespace {

@@ -1,4 +1,4 @@
-/// A command as plain data. Its parser, help, man page and shell completion are all made from it.
+/// A command as plain data, from which its parser, help, man page and completion are built.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ using Target = std::variant<bool*, int*, double*, std::optional<double>*, std::s
                             std::vector<int>*, std::vector<std::string>*, Take<int>,
                             Take<long long>, Take<double>, Take<std::string>>;
 
-/// Placeholders of values that shells know how to complete.
+/// Placeholders for values that shells can complete.
 inline constexpr std::string_view kFile = "FILE", kFolder = "FOLDER", kProgram = "PROGRAM",
                                   kScene = "SCENE";
 
@@ -30,24 +30,24 @@ struct Argument {
   std::string names;  ///< "-o,--output"; a positional argument's name has no dashes
   Target target = static_cast<bool*>(nullptr);
   std::string_view meaning = {};  ///< one phrase, without a full stop
-  std::string_view value = {};    ///< placeholder; empty: by the target's type
+  std::string_view value = {};    ///< placeholder; empty: from the target's type
   std::string default_text = {};  ///< empty: the target's value
   std::vector<std::string> choices = {};
   std::optional<Bound> range = {};
-  bool checked = true;  ///< false: the command itself refuses what is not in `choices` or `range`
+  bool checked = true;  ///< false: the command itself checks `choices` and `range`
   bool required = false;
-  bool list = false;    ///< several values, separated by commas
-  bool greedy = false;  ///< the flag's values may also follow each other as separate words
-  std::string_view when_alone = {};        ///< the value of a flag that is given without one
-  std::string_view needs = {};             ///< a flag that must be given too
-  std::vector<std::string> excludes = {};  ///< flags that must not be given too
-  std::string_view heading = "Options";    ///< of help
+  bool list = false;                       ///< comma-separated values
+  bool greedy = false;                     ///< values may also be separate words
+  std::string_view when_alone = {};        ///< the value of a flag given without one
+  std::string_view needs = {};             ///< a flag that must also be given
+  std::vector<std::string> excludes = {};  ///< flags that must not be given
+  std::string_view heading = "Options";    ///< of the help section
 };
 
 /// What a command is for: the sections of `lumaknot --help`, which leaves out kHidden.
 enum class Group { kMake, kDraw, kProve, kStudy, kSetUp, kHidden };
 
-/// A command line that works, and what is worth saying about it.
+/// A working command line and an optional remark.
 struct Example {
   std::string_view line;
   std::string_view meaning = {};
@@ -69,13 +69,13 @@ void append(std::vector<Argument>& arguments, std::vector<Argument> more);
 bool is_positional(const Argument& argument);
 bool takes_value(const Argument& argument);
 
-/// Whether it may be given several times, or as several words where it is positional.
+/// Whether it may be given several times, or as several words if it is positional.
 bool is_repeatable(const Argument& argument);
 
-/// The names one by one: {"-o", "--output"}.
+/// The separate names: {"-o", "--output"}.
 std::vector<std::string> names_of(const Argument& argument);
 
-/// The word that stands for a value in help: "FILE", "NAME", "N".
+/// The placeholder of the value in help: "FILE", "NAME", "N".
 std::string placeholder(const Argument& argument);
 
 /// The value when the argument is not given; empty if none is worth showing.

@@ -1,4 +1,4 @@
-// The only file that includes CLI11, which takes longer to compile than all the rest of cli/.
+// The only file that includes CLI11, which takes longer to compile than the rest of cli/.
 #include "cli/parser.h"
 
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
@@ -60,7 +60,7 @@ void add(CLI::App& app, const Argument& argument) {
   if (argument.range) option->check(within(argument));
 }
 
-/// Once all are there: which arguments need or exclude which.
+/// Sets which arguments need or exclude others, once all have been added.
 void relate(CLI::App& app, const Argument& argument) {
   if (argument.needs.empty() && argument.excludes.empty()) return;
   CLI::Option* option = app.get_option(names_of(argument).front());
@@ -86,9 +86,9 @@ Parsed parse(std::span<const Subcommand> commands, std::vector<std::string> argu
   CLI::App program;
   program.name("lumaknot");
   program.set_version_flag("--version");
-  program.require_subcommand(0, 1);  // the caller refuses none, CLI11 an unknown one
+  program.require_subcommand(0, 1);  // the caller rejects none, CLI11 an unknown one
   for (const Subcommand& command : commands) describe(program, command);
-  std::ranges::reverse(arguments);  // as CLI11 wants them
+  std::ranges::reverse(arguments);  // the order CLI11 expects
   using Request = Parsed::Request;
   try {
     program.parse(std::move(arguments));
@@ -98,7 +98,7 @@ Parsed parse(std::span<const Subcommand> commands, std::vector<std::string> argu
   } catch (const CLI::CallForVersion&) {
     return {Request::kVersion, nullptr};
   } catch (const CLI::ParseError& e) {
-    throw Error(fmt::format("{}; see lumaknot --help", e.what()));
+    throw Error(fmt::format("{}; try lumaknot --help", e.what()));
   }
 }
 

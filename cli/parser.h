@@ -1,4 +1,4 @@
-/// The command line, read as the commands describe themselves.
+/// Parses the command line as the commands describe themselves.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct Parsed {
   const Subcommand* command = nullptr;  ///< among those parsed; null: the program itself
 };
 
-/// Reads `arguments`, without the program's name, into the targets of the command that they name.
-/// Throws Error for what no command expects.
+/// Reads `arguments`, without the program's name, into the targets of the command they name.
+/// Throws Error for anything unexpected.
 Parsed parse(std::span<const Subcommand> commands, std::vector<std::string> arguments);
 
 }  // namespace lumaknot

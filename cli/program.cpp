@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <new>
 
-#include "cli/commands.h"
-#include "cli/help.h"
-#include "cli/layout.h"
+#include "cli/command_table.h"
+#include "cli/describe/help.h"
+#include "cli/describe/layout.h"
 #include "cli/parser.h"
-#include "scene/error.h"
-#include "validate/process.h"
+#include "system/error.h"
+#include "system/process.h"
+#include "system/version.h"
 
 namespace lumaknot {
 namespace {
@@ -25,14 +26,14 @@ int run(std::vector<std::string> arguments) {
   const auto [request, command] = parse(commands, std::move(arguments));
   switch (request) {
     case Parsed::Request::kVersion:
-      fmt::print("lumaknot {}\n", program_version());
+      fmt::print("lumaknot {}\n", version());
       return kExitAgreed;
     case Parsed::Request::kHelp:
       fmt::print("{}", command ? command_help(*command, help_width())
                                : program_help(program_command(), commands, help_width()));
       return kExitAgreed;
     case Parsed::Request::kRun:
-      if (!command) throw Error("a command is needed; see lumaknot --help");
+      if (!command) throw Error("no command given; try lumaknot --help");
       return command->run();
   }
   return kExitWrongUse;
@@ -49,7 +50,7 @@ int run_program(int argc, char** argv) {
     report(e.what());
     return kExitInterrupted;
   } catch (const std::bad_alloc&) {
-    report("out of memory; lower segments, sides, width, height or samples");
+    report("out of memory; reduce segments, sides, width, height or samples");
   } catch (const std::exception& e) {
     report(e.what());
   }

@@ -1,4 +1,4 @@
-/// What a command says while it works.
+/// Terminal output of a command.
 #pragma once
 
 #include <functional>
@@ -6,17 +6,17 @@
 
 namespace lumaknot {
 
-/// What --quiet and --json ask for.
+/// The settings of --quiet and --json.
 struct Output {
-  bool quiet = false;  ///< say nothing but errors
-  bool json = false;   ///< the result as JSON on standard output
+  bool quiet = false;  ///< print only errors
+  bool json = false;   ///< print the result as JSON
 
-  /// Prints a line about the result, unless quiet or reported as JSON.
+  /// Prints a line about the result, unless quiet or in JSON mode.
   void say(const std::string& line) const;
 };
 
-/// A progress bar on standard error for work that has lasted a second; nothing when standard error
-/// is not a terminal or `output` is quiet. Call with the finished share in [0, 1].
+/// A progress bar on standard error, shown after a second of work; empty if standard error is not a
+/// terminal or `output` is quiet. Call it with the finished share in [0, 1].
 std::function<void(double)> progress_bar(const Output& output, std::string label);
 
 }  // namespace lumaknot

@@ -1,24 +1,24 @@
-# What lumaknot is built with, each with its Debian package. All that is missing or too old is named in
-# one message with what installs it.
+# The libraries lumaknot is built with and their Debian packages. Everything missing or too old is
+# reported in one message, with the command that installs it.
 include_guard()
 set(missing "")
 set(why "")
 
-# lumaknot_find(PACKAGE MODULE [VERSION]): a library with CMake files. The version is compared here: some
-# of those files take a newer major version for an incompatible one.
+# lumaknot_find(PACKAGE MODULE [VERSION]): a library with CMake files. The version is compared here, as
+# some of those files treat a newer major version as incompatible.
 macro(lumaknot_find package module)
   find_package(${module} QUIET CONFIG)
   lumaknot_check(${package} ${module} "${ARGN}")
 endmacro()
 
-# lumaknot_find_pc(PACKAGE MODULE [VERSION]): a library by pkg-config, as PkgConfig::MODULE: it has no
-# CMake files, or they insist on more than is needed (OpenImageIO's: its tools and Python's Imath).
+# lumaknot_find_pc(PACKAGE MODULE [VERSION]): a library found by pkg-config, as PkgConfig::MODULE,
+# because it has no CMake files or they require too much (OpenImageIO's: its tools and Python's Imath).
 macro(lumaknot_find_pc package module)
   pkg_check_modules(${module} QUIET IMPORTED_TARGET ${module})
   lumaknot_check(${package} ${module} "${ARGN}")
 endmacro()
 
-# lumaknot_find_header(PACKAGE TARGET HEADER): a library of headers alone, as TARGET.
+# lumaknot_find_header(PACKAGE TARGET HEADER): a header-only library, as TARGET.
 macro(lumaknot_find_header package target header)
   find_path(${target}_INCLUDE ${header})
   set(${target}_FOUND ${${target}_INCLUDE})
@@ -70,6 +70,6 @@ endif()
 if(missing)
   list(JOIN missing " " missing)
   list(JOIN why "\n" why)
-  message(FATAL_ERROR "lumaknot is built with libraries that are missing or too old:\n${why}\n"
+  message(FATAL_ERROR "Libraries needed to build lumaknot are missing or too old:\n${why}\n"
                       "Install with: apt-get install ${missing}")
 endif()

@@ -1,37 +1,37 @@
-# What `cmake --install` puts where. The program and what it loads or starts lie together in a folder of
-# their own, where /proc/self/exe leads from the link in bin: so any prefix works, and moving it.
+# The layout that `cmake --install` creates. The program and everything it loads or starts share one
+# folder, which it finds by /proc/self/exe through the link in bin, so the prefix is free and movable.
 include(GNUInstallDirs)
-set(together ${CMAKE_INSTALL_LIBDIR}/lumaknot)
-set(made ${PROJECT_BINARY_DIR}/installed)
+set(program_folder ${CMAKE_INSTALL_LIBDIR}/lumaknot)
+set(generated ${PROJECT_BINARY_DIR}/installed)
 
-install(TARGETS lumaknot lumaknot-gpu RUNTIME DESTINATION ${together})
-install(TARGETS lumaknot-images LIBRARY DESTINATION ${together})
+install(TARGETS lumaknot lumaknot-gpu RUNTIME DESTINATION ${program_folder})
+install(TARGETS lumaknot-images LIBRARY DESTINATION ${program_folder})
 if(TARGET lumaknot-embree)
-  install(TARGETS lumaknot-embree RUNTIME DESTINATION ${together})
+  install(TARGETS lumaknot-embree RUNTIME DESTINATION ${program_folder})
 endif()
-file(RELATIVE_PATH program /${CMAKE_INSTALL_BINDIR} /${together}/lumaknot)
-file(MAKE_DIRECTORY ${made})
-file(CREATE_LINK ${program} ${made}/lumaknot SYMBOLIC)
-install(FILES ${made}/lumaknot DESTINATION ${CMAKE_INSTALL_BINDIR})
+file(RELATIVE_PATH program /${CMAKE_INSTALL_BINDIR} /${program_folder}/lumaknot)
+file(MAKE_DIRECTORY ${generated})
+file(CREATE_LINK ${program} ${generated}/lumaknot SYMBOLIC)
+install(FILES ${generated}/lumaknot DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES docs/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/lumaknot)
 
-# What the program prints about itself: completion scripts and manual pages.
+# Completion scripts and manual pages, printed by the program itself.
 add_custom_command(
-  OUTPUT ${made}/lumaknot.bash ${made}/_lumaknot ${made}/lumaknot.fish ${made}/man1/lumaknot.1
-  COMMAND lumaknot completion bash > ${made}/lumaknot.bash
-  COMMAND lumaknot completion zsh > ${made}/_lumaknot
-  COMMAND lumaknot completion fish > ${made}/lumaknot.fish
-  COMMAND lumaknot man -o ${made}/man1
+  OUTPUT ${generated}/lumaknot.bash ${generated}/_lumaknot ${generated}/lumaknot.fish ${generated}/man1/lumaknot.1
+  COMMAND lumaknot completion bash > ${generated}/lumaknot.bash
+  COMMAND lumaknot completion zsh > ${generated}/_lumaknot
+  COMMAND lumaknot completion fish > ${generated}/lumaknot.fish
+  COMMAND lumaknot man -o ${generated}/man1
   VERBATIM)
-add_custom_target(lumaknot-printed ALL DEPENDS ${made}/lumaknot.bash)
-install(FILES ${made}/lumaknot.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+add_custom_target(lumaknot-printed ALL DEPENDS ${generated}/lumaknot.bash)
+install(FILES ${generated}/lumaknot.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
         RENAME lumaknot)
-# Debian's zsh looks into the one below /usr, into the other below /usr/local.
+# Debian's zsh reads vendor-completions below /usr and site-functions below /usr/local.
 foreach(folder IN ITEMS site-functions vendor-completions)
-  install(FILES ${made}/_lumaknot DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
+  install(FILES ${generated}/_lumaknot DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
 endforeach()
-install(FILES ${made}/lumaknot.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-install(DIRECTORY ${made}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${generated}/lumaknot.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(DIRECTORY ${generated}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})

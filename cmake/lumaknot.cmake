@@ -1,21 +1,21 @@
-# What every target of lumaknot shares.
+# The options shared by all targets.
 add_library(lumaknot_options INTERFACE)
 target_include_directories(lumaknot_options INTERFACE ${PROJECT_SOURCE_DIR})
-# One rounding per written operation: the same bytes whatever the compiler contracts.
+# One rounding per operation, as written, so that the output does not depend on contraction.
 target_compile_options(lumaknot_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                                                   -Wconversion -Wno-sign-conversion -ffp-contract=off)
-# GCC 12.2 drops the rounding of double(float(x)) where it makes two at once: {float(x), float(y)} as
-# doubles come out as x and y.
+# GCC 12.2 drops the rounding of double(float(x)) when it vectorizes two of them: {float(x), float(y)}
+# as doubles become x and y.
 target_compile_options(lumaknot_options INTERFACE -fno-tree-slp-vectorize)
 if(LUMAKNOT_WARNINGS_AS_ERRORS)
-  # GCC 12 suspects vectors in OpenMesh's headers at -O1.
+  # GCC 12 warns about vectors in OpenMesh's headers at -O1.
   target_compile_options(
     lumaknot_options INTERFACE -Werror $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>)
 endif()
 if(LUMAKNOT_SANITIZE)
   # Null pointers, sizes of objects and virtual tables are left to the address sanitizer, and to
   # processors, which trap: checking them as well takes a quarter of the compiler's time.
-  # GCC 12 takes the sanitizers' own checks for uses of uninitialised values.
+  # GCC 12 mistakes the sanitizers' checks for uses of uninitialised values.
   target_compile_options(
     lumaknot_options INTERFACE -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr
                                -fno-sanitize-recover=all
@@ -23,8 +23,8 @@ if(LUMAKNOT_SANITIZE)
   target_link_options(lumaknot_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# lumaknot_optimize(TARGET LEVEL): Release's level for code that is not worth -O3. The results are the same,
-# as sums are rounded alike at every level.
+# lumaknot_optimize(TARGET LEVEL): the level in Release for code that does not need -O3. The results do
+# not change, as every level rounds alike.
 function(lumaknot_optimize target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
 endfunction()
@@ -37,24 +37,22 @@ function(lumaknot_memory_only target)
   endif()
 endfunction()
 
-# lumaknot_unity(TARGET): the files of each of its folders are compiled twenty at a time. Names of unnamed
-# namespaces must differ within a folder.
+# lumaknot_unity(TARGET): compiles its files twenty at a time, in order. Names in unnamed namespaces
+# must differ within a namespace.
 function(lumaknot_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${LUMAKNOT_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(files 0)
   foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH folder)
-    string(MAKE_C_IDENTIFIER "${folder}" folder)
-    math(EXPR batch "${files_of_${folder}} + 0" OUTPUT_FORMAT DECIMAL)
-    math(EXPR files_of_${folder} "${batch} + 1")
-    math(EXPR batch "${batch} / 20")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
+    math(EXPR batch "${files} / 20")
+    math(EXPR files "${files} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${batch})
   endforeach()
 endfunction()
 
 # lumaknot_library(NAME [UNITY] [OPTIMIZE level] [FOLDERS folders...] PUBLIC libs... PRIVATE libs...): the
-# folder NAME, with those of its own folders, as lumaknot::NAME.
+# folder NAME and the given subfolders as lumaknot::NAME.
 function(lumaknot_library name)
   cmake_parse_arguments(ARG "UNITY" "OPTIMIZE" "FOLDERS;PUBLIC;PRIVATE" ${ARGN})
   set(patterns *.cpp *.h)

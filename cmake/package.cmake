@@ -1,5 +1,5 @@
-# `cpack` in the build folder makes a .deb: `apt-get install ./lumaknot_*.deb` brings what it needs, and the
-# small programs to compare with. Blender and POV-Ray are left to the user.
+# `cpack` in the build folder builds a .deb. `apt-get install ./lumaknot_*.deb` also installs its
+# dependencies and the small programs to compare with, but not Blender and POV-Ray.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lumaknot)
 set(CPACK_PACKAGE_CONTACT "The lumaknot authors")

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "scene/atomic_file.h"
-#include "scene/error.h"
+#include "system/atomic_file.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {

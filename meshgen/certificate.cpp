@@ -24,7 +24,7 @@ class Rings {
   const Vec3d& position(int i, int j) const { return mesh_.positions[index(i, j)]; }
   double u(int i) const { return mesh_.uvs[index(i, 0)].u; }
 
-  /// The area vector of ring i's polygon, across its plane (Newell).
+  /// The area vector of ring i's polygon, normal to its plane (Newell).
   Vec3d plane(int i) const {
     Vec3d sum;
     const Vec3d& from = position(i, 0);
@@ -44,18 +44,18 @@ class Rings {
 };
 
 double ring_tilt(const Rings& rings, const Curve& line, int segments) {
-  double most = 0;
+  double max = 0;
   for (int i = 0; i < segments; ++i) {
     const Vec3d tangent = curve_point(line, ring_parameter(i, segments)).first;
     const Vec3d plane = rings.plane(i);
-    most = std::max(most, angle_between(dot(plane, tangent) < 0 ? -plane : plane, tangent));
+    max = std::max(max, angle_between(dot(plane, tangent) < 0 ? -plane : plane, tangent));
   }
-  return most;
+  return max;
 }
 
 void widen(Range& range, double value) {
-  range.least = std::min(range.least, value);
-  range.most = std::max(range.most, value);
+  range.min = std::min(range.min, value);
+  range.max = std::max(range.max, value);
 }
 
 Stretch stretch_of(const Rings& rings, std::span<const double> lengths, const KnotSpec& knot) {
@@ -76,15 +76,15 @@ Stretch stretch_of(const Rings& rings, std::span<const double> lengths, const Kn
 
 void measure_closed(Certificate& result, const KnotSpec& knot, const TriangleMesh& mesh) {
   const ClosedMesh closed = closed_mesh(knot, mesh);
-  result.pieces = pieces(closed);
+  result.connected_components = connected_components(closed);
   result.volume = volume(closed);
   result.area = area(closed);
 }
 
 bool has_exact_rings(const KnotSpec& knot) { return knot.frames == FrameRule::kRotationMinimizing; }
 
-/// The first component's vertices as measured_deviation() has them. Quads that are cut along the
-/// other diagonal are seen in a mirror, the sides in reverse.
+/// The first component's vertices in measured_deviation()'s layout. Quads that are cut along the
+/// other diagonal are mirrored, the sides reversed.
 Bulk<Vec3d> grid_positions(const Rings& rings, const KnotSpec& knot) {
   const bool mirrored = has_fixed_winding(knot.convention);
   Bulk<Vec3d> positions;
@@ -96,22 +96,22 @@ Bulk<Vec3d> grid_positions(const Rings& rings, const KnotSpec& knot) {
   return positions;
 }
 
-/// The largest angle between a vertex's normal and the exact tube's where it is nearest, in
+/// The largest angle between a vertex's normal and the exact tube's normal at the nearest point, in
 /// degrees.
 double normal_error_at_vertices(const TriangleMesh& mesh, const KnotSpec& knot, const Curve& line) {
   const GridLayout layout = layout_of(knot);
-  double most = 0;
+  double max = 0;
   for (std::size_t v = 0; v < std::size_t(layout.vertices()); ++v) {
     double t = ring_parameter(int(v) / layout.columns, knot.segments);
-    for (int step = 0; step < 8; ++step) {  // Newton's, on (x - C) . C' = 0
+    for (int step = 0; step < 8; ++step) {  // Newton's method on (x - C) . C' = 0
       const CurvePoint c = curve_point(line, t);
       const Vec3d arm = mesh.positions[v] - c.position;
       t += dot(arm, c.first) / (dot(c.first, c.first) - dot(arm, c.second));
     }
     const Vec3d exact = mesh.positions[v] - curve_point(line, t).position;
-    most = std::max(most, angle_between(mesh.normals[v], exact));
+    max = std::max(max, angle_between(mesh.normals[v], exact));
   }
-  return most;
+  return max;
 }
 
 void measure_deviation(Certificate& result, const KnotSpec& knot, const TriangleMesh& mesh,
@@ -146,7 +146,7 @@ Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
   const std::vector<double> lengths = spine.arc_lengths(knot.segments);
   const std::vector<Frame> frames = ring_frames(spine, knot.frames, lengths);
   result.twist = twist(frames) * kDegrees;
-  result.closing_error = angle_between(frames.front().across, frames.back().across);
+  result.closing_error = angle_between(frames.front().normal, frames.back().normal);
   const GridLayout layout = layout_of(knot);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const double tilt = ring_tilt(Rings(mesh, layout, k), lines[k], knot.segments);

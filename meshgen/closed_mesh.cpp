@@ -7,7 +7,7 @@ namespace {
 
 ClosedMesh::Point to_point(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-/// The one vertex for all flat vertices at the same place of the grid.
+/// The one vertex for all flat vertices at the same grid position.
 class Sewing {
  public:
   explicit Sewing(const GridLayout& layout) : layout_(layout) {}
@@ -25,7 +25,7 @@ class Sewing {
 
 void add_vertices(ClosedMesh& closed, const TriangleMesh& mesh, const Sewing& sewn) {
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (sewn(v).idx() != int(closed.n_vertices())) continue;  // there already
+    if (sewn(v).idx() != int(closed.n_vertices())) continue;  // already present
     closed.set_normal(closed.add_vertex(to_point(mesh.positions[v])), to_point(mesh.normals[v]));
   }
 }

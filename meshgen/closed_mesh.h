@@ -4,12 +4,12 @@
 #include <OpenMesh/Core/Mesh/Traits.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
 struct ClosedMeshTraits : OpenMesh::DefaultTraitsDouble {
-  using TexCoord2D = OpenMesh::Vec2d;  // float32 else
+  using TexCoord2D = OpenMesh::Vec2d;  // float32 otherwise
   VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status);
   HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::TexCoord2D);
 };
@@ -18,8 +18,8 @@ struct ClosedMeshTraits : OpenMesh::DefaultTraitsDouble {
 /// points to the corner, so that a seam needs no second vertex.
 using ClosedMesh = OpenMesh::TriMesh_ArrayKernelT<ClosedMeshTraits>;
 
-/// `mesh`, which knot_mesh() made of `knot`, with its seams sewn: segments x sides vertices a
-/// component, closed and manifold, wound as `mesh` is. Some 350 bytes a vertex.
+/// `mesh`, which knot_mesh() built from `knot`, with its seams sewn: segments x sides vertices per
+/// component, closed and manifold, wound as `mesh` is. About 350 bytes per vertex.
 ClosedMesh closed_mesh(const KnotSpec& knot, const TriangleMesh& mesh);
 
 }  // namespace lumaknot

@@ -10,14 +10,14 @@
 
 #include "meshgen/grid_scan.h"
 #include "meshgen/tube_distance.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
 using Strips = oneapi::tbb::blocked_range<int>;
 
-/// All strips, in blocks that depend on nothing but the grid.
+/// All strips, in blocks that depend only on the grid.
 GridScan scan_all(const TubeGrid& grid, bool with_normals) {
   const auto block = [&](const Strips& strips, GridScan scan) {
     GridRow low = grid_row(grid, strips.begin(), 0, grid.sides);
@@ -33,7 +33,8 @@ GridScan scan_all(const TubeGrid& grid, bool with_normals) {
     return a;
   };
   const std::size_t grain = std::size_t(std::max(16, 4096 / grid.sides));
-  // A circle's strips are alike, and would fill the list of the worst with copies of one triangle.
+  // A circle's strips are all equal and would fill the list of the worst with copies of one
+  // triangle.
   const Curve& curve = grid.surface.spine().curve();
   const bool alike = grid.positions.empty() && (curve.p == 0 || curve.q == 0);
   const int strips = alike ? 1 : grid.segments;
@@ -69,15 +70,15 @@ double chord_at(const TubeGrid& grid, const Corners& corners, const Site& site) 
   return std::abs(d - grid.surface.tube_radius());
 }
 
-double turn_at(const TubeGrid& grid, const Corners& corners, const Site& site) {
+double angle_key_at(const TubeGrid& grid, const Corners& corners, const Site& site) {
   const double theta = 2 * std::numbers::pi * (site.side + side_fraction(site)) / grid.sides;
   const Frame frame = grid.surface.spine().frame(parameter_of(grid, site));
-  return turn(mix(corners.normals, site),
-              frame.across * std::cos(theta) + frame.over * std::sin(theta));
+  return angle_key(mix(corners.normals, site),
+                   frame.normal * std::cos(theta) + frame.binormal * std::sin(theta));
 }
 
-/// Climbs from a finding to the worst place of its triangle: steps along the three edges'
-/// directions, halved when none climbs. A step of s leaves some s^2 of the value.
+/// Climbs from a finding to the worst place in its triangle: steps along the directions of the
+/// three edges, halved when none climbs. A step of s leaves an error of about s^2.
 template <class Value>
 double climbed(const TubeGrid& grid, const Finding& from, Value value_at) {
   constexpr double kWays[][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}};
@@ -110,7 +111,7 @@ double worst_of(const TubeGrid& grid, const WorstFindings& findings, Value value
 Deviation deviation_of(const TubeGrid& grid, bool with_normals) {
   const GridScan scan = scan_all(grid, with_normals);
   return {worst_of(grid, scan.chords(), chord_at),
-          turn_degrees(worst_of(grid, scan.normals(), turn_at))};
+          angle_key_degrees(worst_of(grid, scan.normals(), angle_key_at))};
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 // of its linear interpolant, M bounding its second derivatives.
 //
 // The derivatives of the tube X = C + r n follow from n' = s (-kn T + w b), b' = s (-kb T - w n),
-// where b = dn/dtheta, s = |C'|, K = kn n + kb b is the curvature vector and w the frame's turn a
-// length. Bounds on an interval of t are those at its middle plus half its width times a bound of
+// where b = dn/dtheta, s = |C'|, K = kn n + kb b is the curvature vector and w the frame's rotation
+// per unit length. Bounds on an interval of t are those at its middle plus half its width times a
+// bound of the next derivative.
 // the next derivative.
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,9 @@ struct GlobalBounds {
 };
 
 GlobalBounds global_bounds(const Curve& curve) {
-  const double p = std::abs(curve.p), q = std::abs(curve.q), w = curve.winding_radius;
+  const double p = std::abs(curve.p), q = std::abs(curve.q), w = curve.minor_radius;
   const auto bound = [&](double k) {
-    return std::hypot(std::pow(p, k) * curve.ring_radius + std::pow(p + q, k) * w,
+    return std::hypot(std::pow(p, k) * curve.major_radius + std::pow(p + q, k) * w,
                       std::pow(q, k) * w);
   };
   return {bound(2), bound(3), bound(4)};
@@ -35,7 +36,7 @@ struct SpineBounds {
   double speed = 0, speed_rate = 0, curvature = 0, curvature_rate = 0;
 };
 
-/// The curvature vector K and its derivative by t.
+/// The curvature vector K and its derivative with respect to t.
 struct CurvatureVector {
   Vec3d value, rate;
 };
@@ -49,14 +50,14 @@ CurvatureVector curvature_vector(const CurvePoint& c) {
   return {above / (s2 * s2), (above_rate - above * (4 * slope / s2)) / (s2 * s2)};
 }
 
-/// A bound of |K''| where s >= `least`: Leibniz' rule on s T = C' and s K = T', the derivatives
-/// of s from s s' = C' . C''. All in units of the speed.
-double curvature_acceleration(double least, double second, double third, double fourth) {
-  const double a = second / least, b = third / least, c = fourth / least;
+/// A bound of |K''| where s >= `min`: Leibniz' rule on s T = C' and s K = T', the derivatives of s
+/// from s s' = C' . C''. All in units of the speed.
+double curvature_acceleration(double min, double second, double third, double fourth) {
+  const double a = second / min, b = third / min, c = fourth / min;
   const double s1 = a, s2 = a * a + b, s3 = c + 3 * a * b + 3 * s1 * s2;
   const double t1 = a, t2 = b + 2 * s1 * t1 + s2, t3 = c + 3 * s1 * t2 + 3 * s2 * t1 + s3;
   const double k0 = t1, k1 = t2 + s1 * k0, k2 = t3 + 2 * s1 * k1 + s2 * k0;
-  return k2 / least;
+  return k2 / min;
 }
 
 SpineBounds spine_bounds(const Curve& curve, const GlobalBounds& global, double middle,
@@ -65,15 +66,15 @@ SpineBounds spine_bounds(const Curve& curve, const GlobalBounds& global, double 
   const double third = std::min(global.third, length(c.third) + half * global.fourth);
   const double second = std::min(global.second, length(c.second) + half * third);
   const double rate = std::abs(dot(c.first, c.second)) / length(c.first);
-  const double reach = std::abs(curve.p) * (curve.ring_radius - curve.winding_radius);
-  const double least =
-      std::max({length(c.first) - half * second, std::abs(curve.q) * curve.winding_radius, reach});
+  const double reach = std::abs(curve.p) * (curve.major_radius - curve.minor_radius);
+  const double min =
+      std::max({length(c.first) - half * second, std::abs(curve.q) * curve.minor_radius, reach});
   const CurvatureVector k = curvature_vector(c);
   SpineBounds bounds;
-  bounds.speed_rate = std::min(second, rate + half * (second * second / least + third));
+  bounds.speed_rate = std::min(second, rate + half * (second * second / min + third));
   bounds.speed = length(c.first) + half * bounds.speed_rate;
   bounds.curvature_rate =
-      length(k.rate) + half * curvature_acceleration(least, second, third, global.fourth);
+      length(k.rate) + half * curvature_acceleration(min, second, third, global.fourth);
   bounds.curvature = length(k.value) + half * bounds.curvature_rate;
   return bounds;
 }
@@ -83,8 +84,8 @@ SpineBounds larger(const SpineBounds& a, const SpineBounds& b) {
           std::max(a.curvature, b.curvature), std::max(a.curvature_rate, b.curvature_rate)};
 }
 
-/// Bounds of second derivatives: of all of them, and of the part that errors of the chord or the
-/// angle feel first.
+/// Bounds of second derivatives: of all of them, and of the part that contributes to first order to
+/// the errors of the chord or the angle.
 struct SecondBounds {
   double tt, tk, kk;
 };
@@ -97,14 +98,14 @@ struct Cell {
   }
 };
 
-/// What the frame turns by a length, and the tube's radius.
+/// The frame's rotation per unit length, and the tube's radius.
 struct Tube {
   double turn, radius;
 };
 
-/// |d - r| at a point E off the tube's point X is at most |E|, and to first order E's part along
-/// the normal n there: at most |E . n| + |E|^2 / 2 times a bound of d's second derivative. n turns
-/// by no more than `tilt` in the cell.
+/// |d - r| at a point E off the tube's point X is at most |E|, and to first order the component of
+/// E along the normal n there: at most |E . n| + |E|^2 / 2 times a bound of d's second derivative.
+/// n turns by no more than `tilt` in the cell.
 struct PlaceBound {
   double offset = 0, chord = 0;  ///< |E| and its effect on the distance
 };
@@ -128,7 +129,7 @@ PlaceBound place_bound(const SpineBounds& b, const Tube& tube, const Cell& cell,
           std::min(off, normal + off * off / 2 * std::max(1 / (r - off), b.curvature / focus))};
 }
 
-/// The angle between N and N + E is at most atan(E's part across N / (1 - |E|)).
+/// The angle between N and N + E is at most atan(component of E normal to N / (1 - |E|)).
 double normal_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, double tilt) {
   const double w = tube.turn, s = b.speed, bend = s * s * b.curvature;
   const double along =
@@ -147,7 +148,7 @@ double normal_bound(const SpineBounds& b, const Tube& tube, const Cell& cell, do
 }  // namespace
 
 DeviationBound deviation_bound(const TubeSurface& surface, int segments, int sides) {
-  constexpr int kPieces = 8;  // of a segment, for narrower intervals
+  constexpr int kPieces = 8;  // per segment, for narrower intervals
   const Spine& spine = surface.spine();
   const Tube tube{std::abs(spine.holonomy()) / spine.length(), surface.tube_radius()};
   const Cell cell{2 * kPi / segments, 2 * kPi / sides};
@@ -167,7 +168,7 @@ DeviationBound deviation_bound(const TubeSurface& surface, int segments, int sid
     worst.normal_degrees = std::max(worst.normal_degrees, angle);
   }
   // A triangle's points and the centre line lie in balls about the origin, whatever the steps.
-  const double reach = spine.curve().ring_radius + spine.curve().winding_radius;
+  const double reach = spine.curve().major_radius + spine.curve().minor_radius;
   const double extent = std::max(2 * reach, tube.radius);
   worst.chord = std::min(worst.chord, extent);
   worst.offset = std::min(worst.offset, 2 * (reach + tube.radius));

@@ -11,7 +11,7 @@ namespace lumaknot {
 namespace {
 
 /// -X_tt . n = s^2 (K (1 + r K) + r w^2) on the outer side of the bend, where it is largest; s is
-/// the speed, K the curvature and w the frame's turn a length.
+/// the speed, K the curvature and w the frame's rotation per unit length.
 double bulge(const TubeSurface& surface, double t) {
   const CurvePoint point = curve_point(surface.spine().curve(), t);
   const double k = curvature(point), r = surface.tube_radius();
@@ -19,7 +19,7 @@ double bulge(const TubeSurface& surface, double t) {
   return dot(point.first, point.first) * (k * (1 + r * k) + r * turn * turn);
 }
 
-/// The local peaks of the bulge on one period of the meridian angle, each on all of its periods.
+/// The local peaks of the bulge on one period of the meridian angle, each repeated on all periods.
 std::vector<Peak> peaks_of(const TubeSurface& surface) {
   const Curve& curve = surface.spine().curve();
   const int periods = std::max(1, std::abs(curve.q)), samples = 720;
@@ -51,7 +51,7 @@ double sharpest_of(const Curve& curve) {
 Witness witness_at(const TubeSurface& surface, double t) {
   const Frame frame = surface.spine().frame(t);
   const Vec3d bend = curve_point(surface.spine().curve(), t).second;
-  return {t, std::atan2(-dot(bend, frame.over), -dot(bend, frame.across))};
+  return {t, std::atan2(-dot(bend, frame.binormal), -dot(bend, frame.normal))};
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ double ring_error(const GridModel& model, int sides) {
   return 2 * model.surface.tube_radius() * s * s;
 }
 
-int least_sides(const GridModel& model, double max_error) {
+int min_sides(const GridModel& model, double max_error) {
   const double r = model.surface.tube_radius();
   if (max_error >= r) return 3;
   int sides = std::max(3, int(kPi / std::acos(1 - max_error / r)) - 1);
@@ -89,9 +89,9 @@ int least_sides(const GridModel& model, double max_error) {
 
 namespace {
 
-/// The error at the peak to second order. The form that measures it makes a triangle of squared
-/// edges a (along), b (around), d (across the quad); the error is half the squared radius of its
-/// least enclosing circle.
+/// The error at the peak to second order. The quadratic form that measures it gives a triangle of
+/// squared edges a (along), b (around), d (across the quad); the error is half the squared radius
+/// of its smallest enclosing circle.
 double model_error(const GridModel& model, int segments, int sides) {
   const double h = 2 * kPi / segments, k = 2 * kPi / sides;
   const double a = h * h * model.peak.bulge, b = 8 * ring_error(model, sides);
@@ -100,37 +100,36 @@ double model_error(const GridModel& model, int segments, int sides) {
   return (acute ? a * b * d / (a * b - c * c) : std::max({a, b, d})) / 8;
 }
 
-/// The share of the model's error that may be missing: what the peak loses when it falls between
-/// two segments or sides, four times over since not only the bulge changes there, what the next
-/// order takes, and 2 %.
+/// The share of the model's error that may be missing: the loss when the peak falls between two
+/// segments or sides, times four since not only the bulge changes there, the next order, and 2 %.
 double doubt(const GridModel& model, int segments, int sides) {
-  double least = model.peak.bulge;
+  double min = model.peak.bulge;
   for (const double side : {-1, 1}) {
-    least = std::min(least, bulge(model.surface, model.peak.t + side * kPi / segments));
+    min = std::min(min, bulge(model.surface, model.peak.t + side * kPi / segments));
   }
-  const double phase = 2 - least / model.peak.bulge - std::cos(kPi / sides);
+  const double phase = 2 - min / model.peak.bulge - std::cos(kPi / sides);
   const double turned = 2 * kPi / segments * model.turning;
   return 0.02 + 4 * phase + turned * turned / 10;
 }
 
 }  // namespace
 
-int least_segments(const GridModel& model, int sides, double max_error, int most) {
+int min_segments(const GridModel& model, int sides, double max_error, int max) {
   const auto fails = [&](int n) {
     return model_error(model, n, sides) * (1 - doubt(model, n, sides)) > max_error;
   };
   const double room = max_error - ring_error(model, sides);
-  const double ideal = room > 0 ? kPi * std::sqrt(model.peak.bulge / 2 / room) : most;
-  int n = int(std::clamp(ideal, 3.0, double(most)));
-  while (n < most && fails(n)) n += 1 + n / 512;
+  const double ideal = room > 0 ? kPi * std::sqrt(model.peak.bulge / 2 / room) : max;
+  int n = int(std::clamp(ideal, 3.0, double(max)));
+  while (n < max && fails(n)) n += 1 + n / 512;
   while (n > 3 && !fails(n - 1)) n = std::max(3, n - 1 - n / 512);
   return n;
 }
 
 namespace {
 
-/// How far some edge along the tube is off, of n segments and any number of sides from
-/// kManySides on: of each segment the edges at most half a side from the outer of its bend.
+/// The error of some edge along the tube, for n segments and any number of sides from kManySides
+/// on: per segment, the edges within half a side of the outer side of its bend.
 double edge_error(const GridModel& model, int n) {
   const TubeSurface& surface = model.surface;
   double worst = 0;
@@ -138,21 +137,21 @@ double edge_error(const GridModel& model, int n) {
     const double a = ring_parameter(i, n), b = ring_parameter(i + 1, n), t = a + (b - a) / 2;
     const CurvePoint centre = curve_point(surface.spine().curve(), t);
     const double outer = witness_at(surface, t).theta;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const double side : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
       const double theta = outer + side * 2 * kPi / kManySides;
       const Vec3d x = (surface.at(a, theta).position + surface.at(b, theta).position) * 0.5;
       const double d = distance_near(surface.spine().curve(), centre, t, x);
-      least = std::min(least, std::abs(d - surface.tube_radius()));
+      min = std::min(min, std::abs(d - surface.tube_radius()));
     }
-    worst = std::max(worst, least);
+    worst = std::max(worst, min);
   }
   return worst;
 }
 
 }  // namespace
 
-int least_segments_of_many_sides(const GridModel& model, double max_error) {
+int min_segments_of_many_sides(const GridModel& model, double max_error) {
   int n = 3;
   while (n < 128 && edge_error(model, n) > max_error) ++n;
   return n;

@@ -12,23 +12,23 @@ namespace lumaknot {
 namespace {
 
 /// At the sides j + fraction.
-std::vector<Direction> between_sides(int sides, double fraction) {
-  std::vector<Direction> all;
-  for (int j = 0; j < sides; ++j) all.push_back(direction_of(2 * kPi * (j + fraction) / sides));
+std::vector<SinCos> between_sides(int sides, double fraction) {
+  std::vector<SinCos> all;
+  for (int j = 0; j < sides; ++j) all.push_back(sin_cos(2 * kPi * (j + fraction) / sides));
   return all;
 }
 
-/// The side's direction, from the table if there is one.
-Direction side_direction(const TubeGrid& grid, int side) {
+/// The side's direction, from the table if present.
+SinCos side_direction(const TubeGrid& grid, int side) {
   if (!grid.whole.empty()) return grid.whole[std::size_t(side % grid.sides)];
-  return direction_of(ring_parameter(side % grid.sides, grid.sides));
+  return sin_cos(ring_parameter(side % grid.sides, grid.sides));
 }
 
-Vec3d normal_at(const Frame& frame, const Direction& d) {
-  return frame.across * d.c + frame.over * d.s;
+Vec3d normal_at(const Frame& frame, const SinCos& d) {
+  return frame.normal * d.c + frame.binormal * d.s;
 }
 
-/// The deviation of points from a centre line whose point at t is known.
+/// The deviation of points from a centre line with a known point at t.
 struct Offset {
   const TubeSurface& surface;
   double t;
@@ -45,7 +45,7 @@ Offset offset_at(const TubeGrid& grid, double segment) {
 
 Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
 
-/// A place in a triangle, as in Site, and the offset expected there.
+/// A place in a triangle, as in Site, and the expected offset there.
 struct Spot {
   double u, v, value;
 };
@@ -79,7 +79,7 @@ TubeGrid tube_grid(const TubeSurface& surface, int segments, int sides,
           sides,
           positions,
           normals,
-          directions(sides),
+          sin_cos_table(sides),
           between_sides(sides, 1.0 / 3),
           between_sides(sides, 0.5),
           between_sides(sides, 2.0 / 3)};
@@ -170,7 +170,7 @@ void GridScan::normals_of(const TubeGrid& grid, const GridRow& low, const GridRo
     const int side = low.side + int(k);
     const std::size_t j = std::size_t(side % grid.sides);
     const auto offer = [&](const Vec3d& sum, const Vec3d& exact, bool second, double u, double v) {
-      const double value = turn(sum, exact);
+      const double value = angle_key(sum, exact);
       if (value > normals_.threshold()) normals_.offer(value, {low.segment, side, second, u, v});
     };
     const Vec3d diagonal = a[k] + b[k + 1];
@@ -188,15 +188,15 @@ void GridScan::merge(const GridScan& other) {
   normals_.merge(other.normals_);
 }
 
-double turn(const Vec3d& a, const Vec3d& b) {
+double angle_key(const Vec3d& a, const Vec3d& b) {
   const Vec3d c = cross(a, b);
   const double square = dot(a, a), sine = square > 0 ? dot(c, c) / square : 1;
   return dot(a, b) < 0 ? 2 - sine : sine;
 }
 
-double turn_degrees(double turn) {
-  const double acute = std::asin(std::sqrt(std::min(std::min(turn, 2 - turn), 1.0)));
-  return (turn > 1 ? kPi - acute : acute) * 180 / kPi;
+double angle_key_degrees(double key) {
+  const double acute = std::asin(std::sqrt(std::min(std::min(key, 2 - key), 1.0)));
+  return (key > 1 ? kPi - acute : acute) * 180 / kPi;
 }
 
 double segment_fraction(const Site& site) { return site.second ? site.u : site.u + site.v; }

@@ -1,4 +1,4 @@
-/// Sampling a grid's triangles against the exact tube: what deviation.h and lean_grid.h share.
+/// Sampling a grid's triangles against the exact tube: shared by deviation.h and lean_grid.h.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace lumaknot {
 
-/// A grid on a tube, vertex (i, j) for t = ring_parameter(i, segments), theta = 2 pi j / sides. The
+/// A grid on a tube, vertex (i, j) at t = ring_parameter(i, segments), theta = 2 pi j / sides. The
 /// quad (i, j) is cut into (i,j),(i+1,j),(i+1,j+1) and (i,j),(i+1,j+1),(i,j+1).
 struct TubeGrid {
   const TubeSurface& surface;
   int segments, sides;  ///< >= 3
   std::span<const Vec3d> positions,
       normals;  ///< (segments + 1) x (sides + 1), or empty: the tube's
-  /// At the sides j + 0, 1/3, 1/2, 2/3. All empty where only a few sides are wanted, no normals.
-  std::vector<Direction> whole, third, half, rest;
+  /// At the sides j + 0, 1/3, 1/2, 2/3. All empty where only a few sides are needed and no normals.
+  std::vector<SinCos> whole, third, half, rest;
 };
 
 /// The grid of the tube's own points, or of given ones.
 TubeGrid tube_grid(const TubeSurface& surface, int segments, int sides,
                    std::span<const Vec3d> positions = {}, std::span<const Vec3d> normals = {});
 
-/// A point of a triangle of the quad (segment, side): of its three corners, as listed above, the
+/// A point of a triangle of the quad (segment, side): of its three corners, in the order above, the
 /// second has the weight u and the third v.
 struct Site {
   int segment = 0, side = 0;
@@ -32,17 +32,17 @@ struct Site {
   double u = 0, v = 0;
 };
 
-/// How far a triangle is off at a site.
+/// The deviation of a triangle at a site.
 struct Finding {
   double value = 0;
   Site site;
 };
 
-/// The worst findings, in falling order; equal ones in the grid's order, so that no order of work
-/// shows.
+/// The worst findings in descending order; equal ones in the grid's order, so that the result does
+/// not depend on the order of work.
 class WorstFindings {
  public:
-  /// What a value must exceed to be kept.
+  /// The value that a finding must exceed to be kept.
   double threshold() const { return list_.size() < kKept ? 0 : list_.back().value; }
   double worst() const { return list_.empty() ? 0 : list_.front().value; }
   void offer(double value, const Site& site);
@@ -54,7 +54,8 @@ class WorstFindings {
   std::vector<Finding> list_;
 };
 
-/// Some vertices of one ring, with how far they and their edges' midpoints are off.
+/// Consecutive vertices of one ring, with the deviations of the vertices and of their edges'
+/// midpoints.
 struct GridRow {
   int segment = 0, side = 0;  ///< of the first vertex
   Frame frame;
@@ -62,7 +63,7 @@ struct GridRow {
   std::vector<double> vertex, edge;  ///< distance to the centre line - r
 };
 
-/// `count` edges of the ring `segment` from `side` on.
+/// `count` edges of the ring `segment`, starting at `side`.
 GridRow grid_row(const TubeGrid& grid, int segment, int side, int count);
 
 /// Distance to the centre line - r at a triangle's corners and its edges' midpoints.
@@ -71,9 +72,9 @@ struct TriangleOffsets {
   double edge01, edge12, edge02;
 };
 
-/// The worst places of the strips that were scanned. Every edge's midpoint is evaluated, and the
-/// stationary point of the quadratic through a triangle's corners and midpoints where it lies
-/// inside and looks among the worst. A quadratic surface is met exactly so.
+/// The worst places of the scanned strips. Every edge's midpoint is evaluated, and the stationary
+/// point of the quadratic through a triangle's corners and midpoints if it lies inside and is
+/// expected to be among the worst. For a quadratic surface this is exact.
 class GridScan {
  public:
   explicit GridScan(bool with_normals) : with_normals_(with_normals) {}
@@ -83,7 +84,7 @@ class GridScan {
   void merge(const GridScan& other);
 
   const WorstFindings& chords() const { return chords_; }    ///< |distance - r|, scene units
-  const WorstFindings& normals() const { return normals_; }  ///< see turn()
+  const WorstFindings& normals() const { return normals_; }  ///< see angle_key()
 
  private:
   void triangle(const TubeGrid& grid, Site site, const std::array<Vec3d, 3>& corners,
@@ -94,12 +95,12 @@ class GridScan {
   WorstFindings chords_, normals_;
 };
 
-/// Rises with the angle between `a`, of any length, and the unit vector `b`: its sine's square, and
-/// 2 minus that beyond a right angle.
-double turn(const Vec3d& a, const Vec3d& b);
+/// Increases with the angle between `a`, of any length, and the unit vector `b`: the square of its
+/// sine, and 2 minus that beyond a right angle.
+double angle_key(const Vec3d& a, const Vec3d& b);
 
-/// The angle of a turn(), in degrees.
-double turn_degrees(double turn);
+/// The angle of an angle_key(), in degrees.
+double angle_key_degrees(double key);
 
 /// The fraction of its segment at which a site lies, and the fraction of its side.
 double segment_fraction(const Site& site);

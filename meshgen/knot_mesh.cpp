@@ -7,37 +7,37 @@
 #include <span>
 
 #include "scene/check.h"
-#include "scene/error.h"
 #include "scene/presets.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
 /// Lengths too far from each other or from 1 leave no digits for the tube: a frame is then not
-/// orthonormal, or a vertex not on the tube.
+/// orthonormal, or a vertex is not on the tube.
 void check_precision(const KnotSpec& knot, const Frame& frame) {
-  for (const Vec3d& arm : {frame.across, frame.over}) {
+  for (const Vec3d& arm : {frame.normal, frame.binormal}) {
     const Vec3d position = frame.position + arm * knot.tube_radius;
     const Vec3d spoke = (position - frame.position) / knot.tube_radius;
     if (std::abs(dot(arm, arm) - 1) < 2e-9 && std::abs(dot(spoke, spoke) - 1) < 2e-3) continue;
     throw Error(
         fmt::format("the knot's ring {}, winding {} and tube {} can't be drawn in double "
                     "precision; bring them nearer to 1",
-                    knot.ring_radius, knot.winding_radius, knot.tube_radius));
+                    knot.major_radius, knot.minor_radius, knot.tube_radius));
   }
 }
 
 /// The angle of a column, and its texture coordinate.
 struct Column {
-  Direction angle;
+  SinCos angle;
   double v;
 };
 
 std::vector<Column> columns_of(const KnotSpec& knot, const GridLayout& layout) {
-  const std::vector<Direction> angles = directions(layout.sides);
+  const std::vector<SinCos> angles = sin_cos_table(layout.sides);
   std::vector<Column> columns;
   for (int j = 0; j < layout.columns; ++j) {
-    // The last column is the first to the bit.
+    // the last column equals the first to the bit
     columns.push_back(
         {angles[std::size_t(j % layout.sides)], double(knot.repeat_v) * j / layout.sides});
   }
@@ -65,16 +65,16 @@ struct Tube {
 
 void fill_ring(TriangleMesh& mesh, const Tube& tube, std::span<const Column> columns, int ring,
                double radius) {
-  const std::size_t segments = tube.frames.size() - 1;  // the last ring is the first to the bit
-  // Copies, which no store into the mesh can change.
+  const std::size_t segments = tube.frames.size() - 1;  // the last ring equals the first to the bit
+  // Copies, which stores into the mesh can't change.
   const Frame frame = tube.frames[std::size_t(ring) % segments];
   const double u = tube.us[std::size_t(ring)];
   std::size_t at = tube.base + std::size_t(ring) * columns.size();
   for (const auto& [angle, v] : columns) {
-    const Vec3d normal = frame.across * angle.c + frame.over * angle.s;
+    const Vec3d normal = frame.normal * angle.c + frame.binormal * angle.s;
     const auto& [x, y, z] = normal;
     mesh.positions[at] = frame.position + normal * radius;
-    mesh.normals[at] = {x, y, z};  // a plain copy would go through memory, twice as slow
+    mesh.normals[at] = {x, y, z};  // a struct copy would go through memory, twice as slow
     mesh.uvs[at] = {u, v};
     ++at;
   }
@@ -100,7 +100,7 @@ void fill_quads(TriangleMesh& mesh, const GridLayout& layout, Cut cut, std::size
   Triangle* const row = &mesh.triangles[first + 2 * std::size_t(ring) * std::size_t(layout.sides)];
   const std::uint32_t here = std::uint32_t(base + std::size_t(ring) * std::size_t(layout.columns));
   const std::uint32_t next = here + std::uint32_t(layout.columns);
-  const std::array<std::uint32_t, 4> corners{here, next, next + 1, here + 1};  // of side 0
+  const std::array<std::uint32_t, 4> corners{here, next, next + 1, here + 1};  // for side 0
   const auto& [a, b, c] = cut[0];
   const auto& [d, e, f] = cut[1];
   const Triangle one{corners[a], corners[b], corners[c]}, two{corners[d], corners[e], corners[f]};
@@ -125,8 +125,8 @@ TriangleMesh sized(std::size_t vertices, std::size_t triangles) {
   return mesh;
 }
 
-/// Babylon.js's ComputeNormals(): the unit sum of the unit normals of a vertex's faces, each
-/// duplicate by itself.
+/// Babylon.js's ComputeNormals(): the normalised sum of the unit normals of a vertex's faces, each
+/// duplicate on its own.
 void average_face_normals(TriangleMesh& mesh) {
   mesh.normals.assign(mesh.positions.size(), {});
   for (const Triangle& t : mesh.triangles) {
@@ -146,7 +146,7 @@ GridLayout layout_of(const KnotSpec& knot) {
 
 std::vector<Curve> centre_lines(const KnotSpec& knot) {
   if (!has_fixed_winding(knot.convention)) return components(knot);
-  return {{knot.p, knot.q, knot.ring_radius, knot.winding_radius}};
+  return {{knot.p, knot.q, knot.major_radius, knot.minor_radius}};
 }
 
 TriangleMesh knot_mesh(const KnotSpec& knot) {

@@ -1,4 +1,4 @@
-/// The knot as a flat mesh, the one that every renderer and file format consumes.
+/// The knot as a flat mesh, shared by every renderer and file format.
 #pragma once
 
 #include "meshgen/frames.h"
@@ -6,7 +6,7 @@
 
 namespace lumaknot {
 
-/// How the vertices of one component lie in the arrays: ring by ring, each ring `columns` vertices.
+/// The order of one component's vertices in the arrays: ring by ring, `columns` vertices per ring.
 struct GridLayout {
   int segments, sides;
   int columns;  ///< sides + 1; in Babylon.js's meshes, whose last side ends at the first column,
@@ -18,22 +18,22 @@ struct GridLayout {
 
 GridLayout layout_of(const KnotSpec& knot);
 
-/// The centre lines as the convention has them: components(), but three.js and Babylon.js make no
-/// links, they retrace one loop.
+/// The centre lines as defined by the convention: components(), except that three.js and Babylon.js
+/// make no links but retrace one loop.
 std::vector<Curve> centre_lines(const KnotSpec& knot);
 
 /// The tubes of the knot's components, one after the other: (segments + 1) x (sides + 1) vertices
-/// each, the first ring and the first vertex of every ring there twice with the texture coordinates
-/// of both ends, and 2 x segments x sides triangles, wound counter-clockwise seen from outside, the
-/// two halves of each quad in turn. Positions and normals are the exact tube's to rounding; u runs
-/// 0 ... repeat_u along, v 0 ... repeat_v around.
+/// each, with the first ring and the first vertex of every ring doubled to carry the texture
+/// coordinates of both ends, and 2 x segments x sides triangles, wound counter-clockwise seen from
+/// outside, the two halves of each quad consecutively. Positions and normals are the exact tube's
+/// to rounding; u runs 0 ... repeat_u along, v 0 ... repeat_v around.
 ///
 /// Convention kThree has three.js's vertices, normals, texture coordinates and indices. kBabylon
 /// has Babylon.js's: normals averaged from faces, so that a seam shows where the ends meet, and
-/// triangles wound clockwise, as its left-handed world has them.
+/// triangles wound clockwise, as in its left-handed world.
 ///
-/// Works on all cores; nothing but the mesh and its rings' frames is in memory. Throws Error when
-/// the numbers are out of range, leave what double precision can hold, or frames are undefined.
+/// Uses all cores; only the mesh and its rings' frames are held in memory. Throws Error when the
+/// numbers are out of range or exceed double precision, or frames are undefined.
 TriangleMesh knot_mesh(const KnotSpec& knot);
 
 }  // namespace lumaknot

@@ -14,14 +14,14 @@
 #include "meshgen/grid_model.h"
 #include "meshgen/grid_scan.h"
 #include "scene/angle.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kMostVertices = 5e7;
+constexpr double kMaxVertices = 5e7;
 
-/// Whether the quads about some witness are off by more than `max_error`.
+/// Whether the quads about any witness exceed `max_error`.
 bool refused(const GridModel& model, const TubeGrid& grid, double max_error) {
   const auto cell = [](double angle, int cells) {
     const double turns = angle / (2 * kPi);
@@ -48,13 +48,13 @@ struct Candidate {
   long long quads() const { return static_cast<long long>(segments) * sides; }
 };
 
-/// The first grid of `sides` from `segments` on that no witness refuses, if it has at most `most`
+/// The first grid of `sides` from `segments` on that no witness refuses, if it has at most `max`
 /// quads.
 std::optional<Candidate> first_unrefused(const GridModel& model, int segments, int sides,
-                                         long long most, double max_error) {
-  if (Candidate{segments, sides}.quads() > most) return {};
+                                         long long max, double max_error) {
+  if (Candidate{segments, sides}.quads() > max) return {};
   TubeGrid grid{model.surface, segments, sides, {}, {}, {}, {}, {}, {}};
-  for (; Candidate{grid.segments, sides}.quads() <= most; ++grid.segments) {
+  for (; Candidate{grid.segments, sides}.quads() <= max; ++grid.segments) {
     if (!refused(model, grid, max_error)) return Candidate{grid.segments, sides};
   }
   return {};
@@ -70,7 +70,7 @@ void check(const TubeSurface& surface, const GridModel& model, double max_error)
   }
   if (surface.tube_radius() * model.sharpness >= 1) {
     throw Error(fmt::format(
-        "no grid meets max_error {}: the tube's radius {} is not below the centre line's least "
+        "no grid meets max_error {}: the tube's radius {} is not below the centre line's smallest "
         "radius of curvature, {:.3g}; make the tube thinner",
         max_error, surface.tube_radius(), 1 / model.sharpness));
   }
@@ -78,44 +78,44 @@ void check(const TubeSurface& surface, const GridModel& model, double max_error)
 
 Error too_large(double max_error, double vertices) {
   return Error(fmt::format(
-      "max_error {} wants about {:.2g} vertices, more than {:.0g}; allow at least {:.2g}",
-      max_error, vertices, kMostVertices, 1.1 * max_error * vertices / kMostVertices));
+      "max_error {} needs about {:.2g} vertices, more than {:.0g}; allow at least {:.2g}",
+      max_error, vertices, kMaxVertices, 1.1 * max_error * vertices / kMaxVertices));
 }
 
-/// The sides of the best grid of a smooth model: half of the error for either direction.
+/// The sides of the best grid of a smooth model: half of the error for each direction.
 int balanced_sides(const GridModel& model, double max_error) {
   const double r = model.surface.tube_radius();
   const double sides = std::max(3.0, kPi * std::sqrt(r / max_error));
   const double segments = std::max(3.0, kPi * std::sqrt(model.peak.bulge / max_error));
-  if (segments * sides > kMostVertices) throw too_large(max_error, segments * sides);
-  return std::max(int(sides), least_sides(model, max_error)) + 1;
+  if (segments * sides > kMaxVertices) throw too_large(max_error, segments * sides);
+  return std::max(int(sides), min_sides(model, max_error)) + 1;
 }
 
-/// A grid that meets the error, near the best, to bound the search.
+/// A grid that meets the error and is close to the best, to bound the search.
 LeanGrid first_guess(const GridModel& model, double max_error) {
   const int sides = balanced_sides(model, max_error);
-  const int most = int(kMostVertices) / sides;
-  for (int segments = least_segments(model, sides, max_error, most);;) {
+  const int max = int(kMaxVertices) / sides;
+  for (int segments = min_segments(model, sides, max_error, max);;) {
     const auto grid =
-        first_unrefused(model, segments, sides, static_cast<long long>(kMostVertices), max_error);
-    if (!grid) throw too_large(max_error, 1.1 * kMostVertices);
+        first_unrefused(model, segments, sides, static_cast<long long>(kMaxVertices), max_error);
+    if (!grid) throw too_large(max_error, 1.1 * kMaxVertices);
     const double chord = measured(model, *grid);
     if (chord <= max_error) return {grid->segments, sides, chord};
     segments = grid->segments + 1 + grid->segments / 1000;
   }
 }
 
-/// For each number of sides, the first grid of at most `most` quads that may meet the error.
-std::vector<Candidate> candidates_of(const GridModel& model, double max_error, long long most) {
-  const int fewest = least_sides(model, max_error);
-  const int many = least_segments_of_many_sides(model, max_error);
-  const int count = std::max(kManySides, int(most / many) + 1) - fewest;
+/// For each number of sides, the first grid of at most `max` quads that may meet the error.
+std::vector<Candidate> candidates_of(const GridModel& model, double max_error, long long max) {
+  const int fewest = min_sides(model, max_error);
+  const int many = min_segments_of_many_sides(model, max_error);
+  const int count = std::max(kManySides, int(max / many) + 1) - fewest;
   std::vector<std::optional<Candidate>> found(std::size_t(std::max(0, count)), std::nullopt);
   oneapi::tbb::parallel_for(0, count, [&](int k) {
-    const int sides = fewest + k, longest = std::max(3, int(most / sides) + 1);
+    const int sides = fewest + k, longest = std::max(3, int(max / sides) + 1);
     const int from =
-        std::max(least_segments(model, sides, max_error, longest), sides < kManySides ? 3 : many);
-    found[std::size_t(k)] = first_unrefused(model, from, sides, most, max_error);
+        std::max(min_segments(model, sides, max_error, longest), sides < kManySides ? 3 : many);
+    found[std::size_t(k)] = first_unrefused(model, from, sides, max, max_error);
   });
   std::vector<Candidate> candidates;
   for (const auto& candidate : found) {
@@ -124,8 +124,8 @@ std::vector<Candidate> candidates_of(const GridModel& model, double max_error, l
   return candidates;
 }
 
-/// Measures the candidates, the leanest first; one that fails makes room for the next of as many
-/// sides.
+/// Measures the candidates, the leanest first; one that fails is replaced by the next with the same
+/// number of sides.
 LeanGrid leanest(const GridModel& model, double max_error, LeanGrid best,
                  const Progress& progress) {
   const auto quads = [](const LeanGrid& g) { return Candidate{g.segments, g.sides}.quads(); };

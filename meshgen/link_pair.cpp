@@ -12,8 +12,9 @@ CurvePoint point(const PairedLink& link, int component, double t) {
   return curve_point(link.components[std::size_t(component)], t);
 }
 
-/// The pair after a Newton step on half the squared distance, its Hessian's diagonal enlarged by
-/// `damping` times the squared speeds; the pair itself where the Hessian is not positive.
+/// The pair after a Newton step on half the squared distance, the diagonal of its Hessian enlarged
+/// by `damping` times the squared speeds; the pair itself where the Hessian is not positive
+/// definite.
 LinkPair newton_step(const PairedLink& link, LinkPair pair, double damping) {
   const CurvePoint a = point(link, pair.component_a, pair.t_a);
   const CurvePoint b = point(link, pair.component_b, pair.t_b);

@@ -15,15 +15,15 @@ struct LinkPair {
   double distance = 0;      ///< in scene units
 };
 
-/// A link of congruent components, q not zero, among which pairs are looked for.
+/// A link of congruent components, q not zero, searched for pairs.
 struct PairedLink {
   std::vector<Curve> components;
-  PeriodicIntegral speed;  ///< |C'| by the meridian angle
+  PeriodicIntegral speed;  ///< |C'| as a function of the meridian angle
   double length;           ///< of a component
-  double near;             ///< points of one component with a shorter arc between them are no pair
+  double near;  ///< points of one component with a shorter arc between them are not a pair
 };
 
-/// The link, its meridians alike.
+/// The link, with equal meridians.
 PairedLink paired_link(const std::vector<Curve>& components, double near);
 
 /// The arc length between two meridian angles, negative when it runs against the parameter.
@@ -32,11 +32,12 @@ double arc_between(const PairedLink& link, double psi_a, double psi_b);
 /// The pair with its distance.
 LinkPair measured(const PairedLink& link, LinkPair pair);
 
-/// Whether the points are a pair: on two components, or both arcs between them are at least `near`.
+/// Whether the points are a pair: on two components, or with both arcs between them at least
+/// `near`.
 bool is_apart(const PairedLink& link, const LinkPair& pair);
 
-/// The local minimum of the distance below `pair`, to rounding, as long as the way there leads
-/// through pairs only: Newton's method, damped where it does not descend (Levenberg and Marquardt).
+/// The local minimum of the distance below `pair`, to rounding, as long as the path leads through
+/// pairs only: Newton's method, damped where it does not descend (Levenberg and Marquardt).
 LinkPair settled(const PairedLink& link, LinkPair pair);
 
 }  // namespace lumaknot

@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kUnseen = -1;
 
-/// Numbers every vertex that edges join to `seed` with `piece`.
+/// Labels every vertex connected to `seed` with `piece`.
 void flood(const ClosedMesh& mesh, ClosedMesh::VertexHandle seed, int piece,
            std::vector<int>& piece_of) {
   std::vector<ClosedMesh::VertexHandle> waiting{seed};
@@ -33,9 +33,9 @@ Corners corners_of(const ClosedMesh& mesh, ClosedMesh::FaceHandle face) {
 
 }  // namespace
 
-std::vector<Piece> pieces(const ClosedMesh& mesh) {
+std::vector<ConnectedComponent> connected_components(const ClosedMesh& mesh) {
   std::vector<int> piece_of(mesh.n_vertices(), kUnseen);
-  std::vector<Piece> all;
+  std::vector<ConnectedComponent> all;
   for (const auto vertex : mesh.vertices()) {
     if (piece_of[std::size_t(vertex.idx())] == kUnseen) {
       flood(mesh, vertex, int(all.size()), piece_of);
@@ -43,11 +43,11 @@ std::vector<Piece> pieces(const ClosedMesh& mesh) {
     }
     ++all[std::size_t(piece_of[std::size_t(vertex.idx())])].vertices;
   }
-  const auto piece_at = [&](ClosedMesh::VertexHandle vertex) -> Piece& {
+  const auto piece_at = [&](ClosedMesh::VertexHandle vertex) -> ConnectedComponent& {
     return all[std::size_t(piece_of[std::size_t(vertex.idx())])];
   };
   for (const auto edge : mesh.edges()) {
-    Piece& piece = piece_at(edge.v0());
+    ConnectedComponent& piece = piece_at(edge.v0());
     ++piece.edges;
     piece.boundary_edges += edge.is_boundary();
   }

@@ -1,4 +1,4 @@
-/// What is true of a mesh, whatever made it.
+/// Measurements of a mesh of any origin.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace lumaknot {
 
-/// The counts of one connected piece of a surface.
-struct Piece {
+/// The counts of one connected component of a surface.
+struct ConnectedComponent {
   long long vertices = 0, edges = 0, faces = 0, boundary_edges = 0;
 
   long long euler_characteristic() const { return vertices - edges + faces; }
@@ -16,10 +16,10 @@ struct Piece {
   long long genus() const { return (2 - euler_characteristic()) / 2; }
 };
 
-/// The connected pieces of `mesh`, in the order of their first vertices.
-std::vector<Piece> pieces(const ClosedMesh& mesh);
+/// The connected components of `mesh`, in the order of their first vertices.
+std::vector<ConnectedComponent> connected_components(const ClosedMesh& mesh);
 
-/// Signed volume, positive for an outward surface, by the divergence theorem (cubic scene units).
+/// Signed volume by the divergence theorem, positive for an outward surface, in cubic scene units.
 double volume(const ClosedMesh& mesh);
 
 /// Surface area, in square scene units.

@@ -1,4 +1,4 @@
-/// Quadratic functions of two variables, and where they are least in a rectangle.
+/// Quadratic functions of two variables and their minima in a rectangle.
 #pragma once
 
 namespace lumaknot {
@@ -13,11 +13,11 @@ struct Quadratic {
 };
 
 /// A place and the value there.
-struct Least {
+struct Minimum {
   double x, y, value;
 };
 
-/// Where `f` is least for |x| <= x_most and |y| <= y_most.
-Least least_in_box(const Quadratic& f, double x_most, double y_most);
+/// The minimum of `f` for |x| <= x_max and |y| <= y_max.
+Minimum min_in_box(const Quadratic& f, double x_max, double y_max);
 
 }  // namespace lumaknot

@@ -9,11 +9,11 @@
 namespace lumaknot {
 namespace {
 
-/// |C'| by the meridian angle alone.
+/// |C'| as a function of the meridian angle.
 double speed_at_meridian(const Curve& curve, double psi) {
-  const double reach = curve.ring_radius + curve.winding_radius * std::cos(psi);
-  const double around = curve.winding_radius * curve.q, along = reach * curve.p;
-  return std::sqrt(around * around + along * along);  // hypot() is twice as dear
+  const double reach = curve.major_radius + curve.minor_radius * std::cos(psi);
+  const double around = curve.minor_radius * curve.q, along = reach * curve.p;
+  return std::sqrt(around * around + along * along);  // hypot() costs twice as much
 }
 
 /// cos(k (i + 1/2) pi / degree) in row i, column k.
@@ -32,7 +32,7 @@ std::array<std::array<double, degree>, degree> chebyshev_cosines() {
 PeriodicIntegral::PeriodicIntegral(const std::function<double(double)>& function) {
   double sum = 0;
   for (int i = 0; i < kDegree; ++i) sum += std::abs(function(kPi * (i + 0.5) / kDegree));
-  constexpr int kPanels = 8;  // what most knots take
+  constexpr int kPanels = 8;  // enough for most knots
   for (int k = 0; k < kPanels; ++k) {
     fit(function, kPi * k / kPanels, kPi / kPanels, 4e-15 * kPi * sum / kDegree, 0);
   }
@@ -54,8 +54,8 @@ void PeriodicIntegral::fit(const std::function<double(double)>& function, double
   a[0] /= 2;
   for (double& each : a) each *= 2.0 / kDegree;
   const double tail = std::abs(a[kDegree - 1]) + std::abs(a[kDegree - 2]);
-  // Of the whole integral, not of the panel's: a steep function's own rounding stays below it. The
-  // integral divides these by 2 k besides: 1e-16 of it is left.
+  // Relative to the whole integral, not the panel's: a steep function's own rounding stays below
+  // it. The integral also divides these by 2 k, which leaves 1e-16 of it.
   if (depth < kDeepest && tail * width > tolerance) {
     fit(function, from, width / 2, tolerance, depth + 1);
     fit(function, from + width / 2, width / 2, tolerance, depth + 1);
@@ -98,9 +98,9 @@ std::vector<double> PeriodicIntegral::table(int n) const {
     const double x = std::min(ring_parameter(k, n), kPi);
     while (panel + 1 < panels_.size() && panels_[panel + 1].from <= x) ++panel;
     values[std::size_t(k)] = within(panel, x);
-    values[std::size_t(n - k)] = 2 * sums_.back() - values[std::size_t(k)];  // it is even
+    values[std::size_t(n - k)] = 2 * sums_.back() - values[std::size_t(k)];  // even function
   }
-  values.front() = 0;  // to the bit, which a series' rounding is not
+  values.front() = 0;  // to the bit; a series would leave rounding
   values.back() = 2 * sums_.back();
   return values;
 }
@@ -112,9 +112,9 @@ Spine::Spine(const Curve& curve)
   speed_start_ = speed_(curve_.meridian);
   slowness_start_ = slowness_(curve_.meridian);
   length_ = arc_length(2 * kPi);
-  const double turn = least_twist(2 * kPi);
+  const double turn = min_twist(2 * kPi);
   holonomy_ = std::remainder(turn, 2 * kPi);
-  turns_ = int(std::lround((turn - holonomy_) / (2 * kPi)));
+  revolutions_ = int(std::lround((turn - holonomy_) / (2 * kPi)));
 }
 
 double Spine::integral_of(const PeriodicIntegral& integral, double start, double t) const {
@@ -125,34 +125,35 @@ double Spine::arc_length(double t) const {
   return curve_.q == 0 ? t * speed(curve_, 0) : integral_of(speed_, speed_start_, t);
 }
 
-double Spine::least_twist(double t) const {
+double Spine::min_twist(double t) const {
   if (curve_.q == 0) return 0;
   return twist_rate() * integral_of(slowness_, slowness_start_, t);
 }
 
-Frame Spine::frame_at(const Turn& at, double twist, double arc_length) const {
+Frame Spine::frame_at(const TorusAngles& at, double twist, double arc_length) const {
   const auto& [longitude, meridian] = at;
   const CurvePoint point = curve_point(curve_, at);
   const Vec3d tangent = normalize(point.first);
-  const Vec3d normal{meridian.c * longitude.c, meridian.c * longitude.s, meridian.s};  // the torus'
-  const Direction turn = direction_of(twist - holonomy_ * (arc_length / length_));
-  const Vec3d across = normal * turn.c + cross(tangent, normal) * turn.s;
-  return {point.position, tangent, across, cross(across, tangent)};
+  const Vec3d torus_normal{meridian.c * longitude.c, meridian.c * longitude.s,
+                           meridian.s};  // the torus's
+  const SinCos turn = sin_cos(twist - holonomy_ * (arc_length / length_));
+  const Vec3d normal = torus_normal * turn.c + cross(tangent, torus_normal) * turn.s;
+  return {point.position, tangent, normal, cross(normal, tangent)};
 }
 
 Frame Spine::frame(double t) const {
-  return frame_at(turn_of(curve_, t), least_twist(t), arc_length(t));
+  return frame_at(torus_angles(curve_, t), min_twist(t), arc_length(t));
 }
 
-// A ring's meridian is a whole number of n-ths of a turn, whatever q; the phase is zero unless q
-// is, and then nothing is integrated.
+// A ring's meridian is a whole number of n-ths of a turn, whatever q; the phase is zero unless q is
+// zero, and then nothing is integrated.
 std::vector<double> Spine::at_rings(const PeriodicIntegral& integral, int n) const {
   const std::vector<double> table = integral.table(n);
   std::vector<double> values;
   values.reserve(table.size());
   Winding meridian(curve_.q, n);
   for (int i = 0; i <= n; ++i) {
-    values.push_back((meridian.turns() * table.back() + table[meridian.part()]) / curve_.q);
+    values.push_back((meridian.revolutions() * table.back() + table[meridian.part()]) / curve_.q);
     meridian.advance();
   }
   return values;
@@ -167,13 +168,13 @@ std::vector<double> Spine::arc_lengths(int n) const {
 
 std::vector<Frame> Spine::frames(std::span<const double> arc_lengths) const {
   const int n = int(arc_lengths.size()) - 1;
-  const std::vector<Turn> turns = ring_turns(curve_, n);
+  const std::vector<TorusAngles> angles = ring_angles(curve_, n);
   const std::vector<double> slowness =
       curve_.q != 0 ? at_rings(slowness_, n) : std::vector<double>(arc_lengths.size());
   std::vector<Frame> frames;
-  frames.reserve(turns.size());
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    frames.push_back(frame_at(turns[i], twist_rate() * slowness[i], arc_lengths[i]));
+  frames.reserve(angles.size());
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    frames.push_back(frame_at(angles[i], twist_rate() * slowness[i], arc_lengths[i]));
   }
   return frames;
 }

@@ -1,4 +1,4 @@
-/// A centre line with its arc length and the frame that twists least along it.
+/// A centre line with its arc length and its frame of minimal twist.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace lumaknot {
 
-/// An orthonormal frame on the centre line: `across` x `tangent` = `over`.
+/// An orthonormal frame on the centre line: `normal` x `tangent` = `binormal`.
 struct Frame {
   Vec3d position, tangent;
-  Vec3d across, over;  ///< span the ring's plane, across at angle 0 of the tube
+  Vec3d normal, binormal;  ///< span the ring's plane, normal at angle 0 of the tube
 };
 
 /// The integral of an even, smooth function of period 2 pi, to a few units in the last place of the
-/// integral over a period: a Chebyshev series of degree 16 on each of as many panels as it takes.
+/// integral over a period: a Chebyshev series of degree 16 on each of as many panels as needed.
 class PeriodicIntegral {
  public:
   explicit PeriodicIntegral(const std::function<double(double)>& function);
@@ -42,11 +42,11 @@ class PeriodicIntegral {
   std::vector<double> sums_{0};  // the integral up to each panel, and to pi
 };
 
-/// One component's centre line. The rotation-minimising frame stands at the angle
+/// One component's centre line. The rotation-minimising frame is at the angle
 ///   alpha(t) = p q R * integral of dt / |C'|
 /// from the torus' normal (minus the integral of the geodesic torsion of a (p,q) curve on a torus,
-/// do Carmo: Differential Geometry of Curves and Surfaces, 3-2); what it misses itself by after one
-/// loop is spread evenly over the arc length, so that the frame at 2 pi is the frame at 0.
+/// do Carmo: Differential Geometry of Curves and Surfaces, 3-2); its mismatch after one loop is
+/// distributed evenly over the arc length, so that the frame at 2 pi is the frame at 0.
 class Spine {
  public:
   explicit Spine(const Curve& curve);
@@ -57,33 +57,33 @@ class Spine {
   /// The arc length from 0 to t, in scene units; t in radians, also beyond one loop.
   double arc_length(double t) const;
 
-  /// The angle in [-pi, pi], about the tangent, by which the rotation-minimising frame misses
-  /// itself after one loop.
+  /// The angle in [-pi, pi], about the tangent, between the rotation-minimising frame before and
+  /// after one loop.
   double holonomy() const { return holonomy_; }
 
-  /// The closed frame at t, its error some 1e-15 radians a turn.
+  /// The closed frame at t, with an error of about 1e-15 radians per turn.
   Frame frame(double t) const;
 
-  /// arc_length() at the rings t = 2 pi i / n, 0 <= i <= n, for much less.
+  /// arc_length() at the rings t = 2 pi i / n, 0 <= i <= n, at much lower cost.
   std::vector<double> arc_lengths(int n) const;
-  /// frame() at as many rings as arc_lengths() gave.
+  /// frame() at the rings of `arc_lengths`, the result of arc_lengths().
   std::vector<Frame> frames(std::span<const double> arc_lengths) const;
 
-  /// The turns of the closed frame against the torus' normal in one loop: a whole number.
-  int turns() const { return turns_; }
+  /// The turns of the closed frame relative to the torus' normal in one loop: a whole number.
+  int revolutions() const { return revolutions_; }
 
  private:
   std::vector<double> at_rings(const PeriodicIntegral& integral, int n) const;
   double integral_of(const PeriodicIntegral& integral, double start, double t) const;
-  double least_twist(double t) const;
-  double twist_rate() const { return curve_.p * curve_.q * curve_.ring_radius; }
-  Frame frame_at(const Turn& at, double twist, double arc_length) const;
+  double min_twist(double t) const;
+  double twist_rate() const { return curve_.p * curve_.q * curve_.major_radius; }
+  Frame frame_at(const TorusAngles& at, double twist, double arc_length) const;
 
   Curve curve_;
   PeriodicIntegral speed_, slowness_;
   double speed_start_ = 0, slowness_start_ = 0;  // the integrals up to the meridian's phase
   double length_ = 0, holonomy_ = 0;
-  int turns_ = 0;
+  int revolutions_ = 0;
 };
 
 }  // namespace lumaknot

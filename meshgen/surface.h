@@ -5,15 +5,15 @@
 
 namespace lumaknot {
 
-/// A point of the tube with its derivatives by t and theta, in scene units a radian.
+/// A point of the tube with its derivatives by t and theta, in scene units per radian.
 struct TubePoint {
   Vec3d position;
   Vec3d normal;         ///< unit, outward
   Vec3d along, around;  ///< dX/dt, dX/dtheta
 };
 
-/// X(t, theta) = C(t) + r (cos theta across + sin theta over): the round tube of radius r about a
-/// spine, in double precision.
+/// X(t, theta) = C(t) + r (cos theta normal + sin theta binormal): the round tube of radius r about
+/// a spine, in double precision.
 class TubeSurface {
  public:
   TubeSurface(const Spine& spine, double tube_radius) : spine_(spine), radius_(tube_radius) {}
@@ -21,7 +21,7 @@ class TubeSurface {
   const Spine& spine() const { return spine_; }
   double tube_radius() const { return radius_; }
 
-  /// The point at t, theta in radians. `along` is exact too: the frame's own turn is in it.
+  /// The point at t, theta in radians. `along` is exact too: it includes the frame's rotation.
   TubePoint at(double t, double theta) const;
 
  private:

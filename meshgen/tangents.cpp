@@ -5,7 +5,7 @@
 namespace lumaknot {
 namespace {
 
-/// `v` across the unit vector `normal`, unit; zero when it lies along it.
+/// The component of `v` normal to the unit vector `normal`, unit; zero when they are parallel.
 Vec3d across(const Vec3d& v, const Vec3d& normal) {
   const Vec3d flat = v - normal * dot(normal, v);
   const double size = length(flat);

@@ -17,7 +17,7 @@ Expansion expand(const CurvePoint& at, const Vec3d& x) {
           dot(at.first, at.second) - dot(v, at.third) / 3};
 }
 
-/// Descends from t by Newton's steps on (x - C) . C' = 0, short ones where they would climb.
+/// Descends from t by Newton steps on (x - C) . C' = 0, shortened where they would climb.
 double descend(const Curve& curve, double t, const Vec3d& x) {
   const double longest = 0.3 / (std::abs(curve.p) + std::abs(curve.q));
   Expansion here = expand(curve_point(curve, t), x);
@@ -30,7 +30,7 @@ double descend(const Curve& curve, double t, const Vec3d& x) {
       step /= 2;
       next = expand(curve_point(curve, t + step), x);
     }
-    // A step so short changes the square of the distance by its own square.
+    // A step so short changes the squared distance by its own square.
     if (std::abs(step) <= 1e-9) break;
     t += step;
     here = next;
@@ -45,7 +45,7 @@ double distance_near(const Curve& curve, const CurvePoint& at, double t, const V
   if (e.bend > 0) {
     const double d = e.slope / e.bend;
     const double square = e.gap - e.slope * d + e.cubic * d * d * d;
-    // What the step misses, and the order that the expansion leaves out.
+    // The error of the step, and the order that the expansion leaves out.
     const double missed =
         (9 * e.cubic * e.cubic / (4 * e.bend) + dot(at.second, at.second)) * d * d * d * d;
     if (missed <= 1e-14 * square) return std::sqrt(square);

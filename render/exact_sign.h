@@ -1,4 +1,4 @@
-/// Signs that rounding can't turn.
+/// Signs that rounding can't flip.
 #pragma once
 
 #include "scene/vec.h"

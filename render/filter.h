@@ -3,13 +3,13 @@
 
 namespace lumaknot {
 
-/// How a texture image is looked up between its texels.
+/// How a texture is filtered between its texels.
 enum class Filter {
   kBilinear,   ///< as the reference: the four nearest texels
-  kTrilinear,  ///< of the two mipmap levels nearest to the pixel's footprint
+  kTrilinear,  ///< from the two mipmap levels nearest to the pixel's footprint
 };
 
-/// What becomes of texture coordinates outside [0, 1].
+/// How texture coordinates outside [0, 1] are treated.
 enum class Wrapping { kRepeat, kClamp };
 
 }  // namespace lumaknot

@@ -1,13 +1,13 @@
 /// From the scene to the image plane and back.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
 /// A camera with an image of width x height pixels: view space has x to the right, y up and z into
 /// the scene; the ray through a pixel is (x, y, 1) times the depth. The number type S is double or
-/// several doubles.
+/// a packet of doubles.
 class Projection {
  public:
   Projection(const Camera& camera, int width, int height);
@@ -21,7 +21,7 @@ class Projection {
   /// The ray through the image point (x, y) in pixels from the top left: view space, depth one.
   Vec3d ray(double x, double y) const;
 
-  /// A direction of view space in the world's.
+  /// A view-space direction in world space.
   Vec3d to_world(const Vec3d& direction) const;
 
   /// The image point of a view-space point in front of the eye; z is its depth.

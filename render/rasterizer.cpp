@@ -11,15 +11,15 @@ namespace {
 
 Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-/// What rounding can add to a component of cross(b, c), and later to its product with a ray: eight
-/// roundings of terms no larger than these, with room to spare.
+/// A bound of the rounding error of a component of cross(b, c), and later of its product with a
+/// ray: eight roundings of terms no larger than these, with room to spare.
 Vec3d cross_doubt(const Vec3d& b, const Vec3d& c) {
   const Vec3d p = absolute(b), q = absolute(c);
   constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
   return Vec3d{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x} * kRoundings;
 }
 
-/// The sign of a . (b x c), whose value in doubles is `value` and can be off by `doubt`.
+/// The sign of a . (b x c), whose double value is `value` and can be off by `doubt`.
 int volume_sign(double value, double doubt, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   if (std::abs(value) > doubt) return value > 0 ? 1 : -1;
   return std::isfinite(doubt) ? exact_volume_sign(a, b, c) : 0;
@@ -30,7 +30,7 @@ Edges edges_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const int sign = volume_sign(volume, dot(absolute(a), cross_doubt(b, c)), a, b, c);
   if (sign < 0) {  // seen from behind
     Edges edges = edges_of(a, c, b);
-    edges.turned = true;
+    edges.swapped = true;
     return edges;
   }
   return {{a, b, c},
@@ -40,8 +40,8 @@ Edges edges_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
           false};
 }
 
-/// The top-left rule for a sample on an edge: inside when the edge is a left one, or a horizontal
-/// top one. Image rows run against view space's y.
+/// The top-left rule for a sample on an edge: inside if it is a left edge or a horizontal top edge.
+/// Image rows run opposite to view space's y.
 bool owns_its_samples(const Edges& edges, std::size_t i) {
   const Vec3d &b = edges.corners[(i + 1) % 3], &c = edges.corners[(i + 2) % 3];
   const int right = exact_volume_sign({1, 0, 0}, b, c);
@@ -93,9 +93,9 @@ Rasterizer::Bounds Rasterizer::image_bounds(const Triangle& triangle) const {
     x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
     y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
   }
-  // Where an edge meets the near plane can't be told from corners far away.
+  // Where an edge meets the near plane can't be computed reliably from distant corners.
   if (in_front == 1 || in_front == 2) return {0, width_, 0, height_};
-  // Samples lie at +0.5; half a pixel more on each side keeps rounding out of the question.
+  // Samples lie at +0.5; half a pixel more on each side rules out rounding.
   return {clamped(std::floor(x0 - 1), width_), clamped(std::ceil(x1 + 1), width_),
           clamped(std::floor(y0 - 1), height_), clamped(std::ceil(y1 + 1), height_)};
 }
@@ -144,7 +144,7 @@ void Rasterizer::draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d
   const double sum = values[0] + values[1] + values[2];
   const double depth = edges.volume / sum;
   if (!(depth >= nearest) || (seen.covered() && depth > seen.depth)) return;
-  const std::size_t second = edges.turned ? 2 : 1;
+  const std::size_t second = edges.swapped ? 2 : 1;
   seen =
       fragment(triangle, depth, {values[0] / sum, values[second] / sum, values[3 - second] / sum});
 }

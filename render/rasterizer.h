@@ -8,11 +8,11 @@
 
 #include "render/projection.h"
 #include "scene/image.h"
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
-/// What one sample sees.
+/// The surface point that one sample sees.
 struct Fragment {
   std::int64_t triangle = -1;  ///< -1: nothing, and the rest is zero
   double depth = 0;            ///< along the camera's axis
@@ -24,23 +24,24 @@ struct Fragment {
 };
 
 /// A triangle's edges as planes through the eye, in view space: the sample on the ray d lies inside
-/// when dot(planes[i], d) is positive for each; planes[i] faces corner i.
+/// if dot(planes[i], d) is positive for each i; planes[i] faces corner i.
 struct Edges {
   std::array<Vec3d, 3> corners;
   std::array<Vec3d, 3> planes;
-  std::array<Vec3d, 3> doubt;  ///< |dot(planes[i], d)| is beyond rounding above dot(doubt[i], |d|)
-  double volume = 0;           ///< of the corners' parallelepiped; 0: the triangle is not drawn
-  bool turned = false;  ///< the last two corners are exchanged, so that the volume is not negative
+  std::array<Vec3d, 3>
+      doubt;             ///< the sign of dot(planes[i], d) is certain above dot(doubt[i], |d|)
+  double volume = 0;     ///< of the corners' parallelepiped; 0: the triangle is not drawn
+  bool swapped = false;  ///< the last two corners are exchanged, so that the volume is not negative
 };
 
-/// A mesh prepared for drawing in bands of rows, each on its own.
+/// A mesh prepared for drawing in independent bands of rows.
 ///
 /// Homogeneous rasterisation (Olano and Greer, Triangle Scan Conversion using 2D Homogeneous
 /// Coordinates, 1997): a triangle crossing the plane of the eye needs no clipped copies. Both faces
 /// of a triangle are drawn. A sample on an edge belongs to the triangle whose top or left edge it
-/// is. Values too near to zero for their sign to be trusted are computed exactly, so between
-/// triangles that share edges no sample is lost or drawn twice. Nothing nearer than near_depth() is
-/// drawn; of equal depths the later triangle is.
+/// is. Values too near to zero for their sign to be trusted are computed exactly, so no sample is
+/// lost or drawn twice between triangles that share edges. Nothing nearer than near_depth() is
+/// drawn; at equal depths the later triangle wins.
 class Rasterizer {
  public:
   /// An image of width x height samples, in bands of `band_height` rows. Keeps `mesh` by reference.
@@ -49,16 +50,16 @@ class Rasterizer {
 
   int bands() const { return int(bins_.size()); }
 
-  /// What the image point (x, y), in samples from the top left, sees farther than `beyond`; it may
-  /// be any point inside the image.
+  /// What the image point (x, y), in samples from the top left, sees beyond the depth `beyond`; any
+  /// point inside the image.
   Fragment at(double x, double y, double beyond = 0) const;
 
-  /// Rows [band * band_height, ...) of the image; the last band may be lower.
+  /// Rows [band * band_height, ...) of the image; the last band may have fewer.
   Grid<Fragment> band(int index) const;
 
  private:
   struct Bounds {
-    int x0, x1, y0, y1;  // half open; empty when nothing is seen
+    int x0, x1, y0, y1;  // half open; empty if nothing is seen
     bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
 

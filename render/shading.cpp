@@ -1,7 +1,7 @@
 #include "render/shading.h"
 
 #include "render/texture.h"
-#include "shaders/half.h"
+#include "shaders/graph/half.h"
 
 namespace lumaknot {
 namespace {
@@ -31,7 +31,7 @@ Vec3d ShadingIn<S>::color(const Fragment& fragment, const Vec3d& texture) const 
       constant_vec<S>(needs_texture_ ? texture_value(texture, shot_.material) : Vec3d{});
   Terms<S> terms;
   if (shot_.stage != Stage::kTexture) {
-    const bool at_vertices = shot_.material.rate == Rate::kVertex;
+    const bool at_vertices = shot_.material.rate == ShadingFrequency::kVertex;
     terms =
         at_vertices ? interpolated_terms(fragment) : terms_at(fragment.position, fragment.normal);
   }

@@ -1,9 +1,9 @@
-/// A shot ready to be computed at any number of fragments.
+/// A shot prepared for shading any number of fragments.
 #pragma once
 
 #include "render/rasterizer.h"
 #include "scene/shot.h"
-#include "shaders/lighting.h"
+#include "shaders/formulas/lighting.h"
 
 namespace lumaknot {
 
@@ -17,7 +17,7 @@ class ShadingIn {
   /// The colour where the fragment lies, the texture bilinear; black where nothing is seen.
   Vec3d color(const Fragment& fragment) const;
 
-  /// The colour where `texture`, the surface's own r'g'b', takes the texture's place.
+  /// The colour with `texture`, the surface's own r'g'b', in place of the texture.
   Vec3d color(const Fragment& fragment, const Vec3d& texture) const;
 
  private:

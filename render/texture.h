@@ -1,7 +1,7 @@
 /// Texture look-up.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 

@@ -1,4 +1,4 @@
-/// Angles: radians inside, degrees where people read or write them.
+/// Angles: radians internally, degrees where people read or write them.
 #pragma once
 
 #include <numbers>

@@ -29,7 +29,7 @@ double smooth_noise(int x, int y, int cell, unsigned seed) {
          (at(cx, cy + 1) * (1 - fx) + at(cx + 1, cy + 1) * fx) * fy;
 }
 
-/// Steps from 0 at `a` to 1 at `b` without a kink.
+/// Steps smoothly from 0 at `a` to 1 at `b`.
 double smoothstep(double a, double b, double x) {
   const double t = std::clamp((x - a) / (b - a), 0.0, 1.0);
   return t * t * (3 - 2 * t);

@@ -5,8 +5,8 @@
 
 namespace lumaknot {
 
-/// A procedural brick wall, 512 x 512, that meets itself at its edges. Values are multiples of
-/// 1/255, so that an 8-bit file holds them exactly.
+/// A procedural brick wall, 512 x 512, that tiles seamlessly. Values are multiples of 1/255, so
+/// that an 8-bit file holds them exactly.
 TextureImage bricks();
 
 }  // namespace lumaknot

@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <numeric>
 
-#include "scene/error.h"
 #include "scene/presets.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr long long kMostVertices = 100'000'000;  // 9 GB with their triangles
-constexpr long long kMostPixels = 1LL << 28;      // 4 GB of RGBA float
-constexpr long long kMostSamples = 1LL << 34;
+constexpr long long kMaxVertices = 100'000'000;  // 9 GB with their triangles
+constexpr long long kMaxPixels = 1LL << 28;      // 4 GB of RGBA float
+constexpr long long kMaxSamples = 1LL << 34;
 
 // Lengths whose squares are still far from the ends of double precision.
-constexpr double kLeastLength = 1e-100, kMostLength = 1e100;
+constexpr double kMinLength = 1e-100, kMaxLength = 1e100;
 
 /// Visits a struct's fields and checks each number against its range.
 struct RangeVisitor {
@@ -33,7 +33,7 @@ struct RangeVisitor {
   void choice(std::string_view, Enum, const Names&, std::string_view) const {}
 };
 
-/// What three.js and Babylon.js can't have, or have no name for.
+/// Checks what three.js and Babylon.js don't support or have no name for.
 void check_convention(const KnotSpec& knot, const std::string& prefix) {
   const auto label = [&](std::string_view key) { return field_label(prefix, key); };
   const std::string_view name = kConventionNames[std::size_t(knot.convention)];
@@ -47,10 +47,10 @@ void check_convention(const KnotSpec& knot, const std::string& prefix) {
     throw Error(
         fmt::format("{} must not be 0 in convention {}, which takes 0 as 3", label("q"), name));
   }
-  if (knot.winding_radius != knot.ring_radius / 2) {
+  if (knot.minor_radius != knot.major_radius / 2) {
     throw Error(fmt::format("{} must be half of {} in convention {}, {}, got {}; leave it out",
-                            label("winding"), label("ring"), name, knot.ring_radius / 2,
-                            knot.winding_radius));
+                            label("winding"), label("ring"), name, knot.major_radius / 2,
+                            knot.minor_radius));
   }
   if (knot.frames != FrameRule::kThree || knot.unwrap != Unwrap::kParameter) {
     throw Error(
@@ -69,11 +69,11 @@ void check_camera(const Camera& camera) {
   }
   if (camera.up == Vec3d{}) throw Error("camera.up must not be [0, 0, 0]; try [0, 0, 1]");
   for (const double size : {length(sight), length(camera.up)}) {
-    if (size >= kLeastLength && size <= kMostLength) continue;
+    if (size >= kMinLength && size <= kMaxLength) continue;
     throw Error(fmt::format(
-        "camera.position {}, target {} and up {} must be apart and long by {} to "
-        "{}; bring them nearer to 1",
-        text(camera.position), text(camera.target), text(camera.up), kLeastLength, kMostLength));
+        "camera.position {}, target {} and up {} need a distance and a length of "
+        "{} to {}; bring them nearer to 1",
+        text(camera.position), text(camera.target), text(camera.up), kMinLength, kMaxLength));
   }
   if (!(length(cross(normalize(camera.up), normalize(sight))) > 1e-9)) {
     throw Error(fmt::format("camera.up must not lie along the line of sight, got {}; try [0, 1, 0]",
@@ -81,7 +81,7 @@ void check_camera(const Camera& camera) {
   }
 }
 
-/// The checks of one light that need more than one number.
+/// The checks of one light that involve more than one number.
 class LightCheck {
  public:
   explicit LightCheck(std::size_t index) : path_(fmt::format("lights[{}]", index)) {}
@@ -91,27 +91,27 @@ class LightCheck {
   void operator()(const SpotLight& l) const {
     check_direction("spot", l.direction);
     check_falloff("spot", l.falloff);
-    constexpr double kLeastEdge = 0.1;  // narrower, and float can't tell the two cosines apart
-    constexpr double kRounded = 1e-9;   // 10.1 - 10 is less than 0.1 in double
-    if (l.outer_degrees - l.inner_degrees >= kLeastEdge - kRounded) return;
+    constexpr double kMinEdge = 0.1;   // narrower, and the two cosines are equal in float
+    constexpr double kRounded = 1e-9;  // 10.1 - 10 is less than 0.1 in double
+    if (l.outer_degrees - l.inner_degrees >= kMinEdge - kRounded) return;
     throw Error(fmt::format(
         "{}.spot.outer_degrees must be at least {} more than inner_degrees, got {} and {}", path_,
-        kLeastEdge, l.outer_degrees, l.inner_degrees));
+        kMinEdge, l.outer_degrees, l.inner_degrees));
   }
 
  private:
   void check_direction(std::string_view kind, const Vec3d& direction) const {
     const double size = length(direction);
-    if (size >= kLeastLength && size <= kMostLength) return;
+    if (size >= kMinLength && size <= kMaxLength) return;
     throw Error(fmt::format("{}.{}.direction must be a vector of length {} to {}, got [{}, {}, {}]",
-                            path_, kind, kLeastLength, kMostLength, direction.x, direction.y,
+                            path_, kind, kMinLength, kMaxLength, direction.x, direction.y,
                             direction.z));
   }
   void check_falloff(std::string_view kind, const Falloff& f) const {
-    constexpr double kLeast = 1e-6;  // as the formula guards its division
-    if (f.constant + f.linear + f.quadratic >= kLeast) return;
+    constexpr double kMin = 1e-6;  // the lower limit of the formula's division
+    if (f.constant + f.linear + f.quadratic >= kMin) return;
     throw Error(fmt::format("{}.{}: constant, linear and quadratic must not all be 0 (sum >= {})",
-                            path_, kind, kLeast));
+                            path_, kind, kMin));
   }
   std::string path_;
 };
@@ -178,15 +178,15 @@ void check_knot(const KnotSpec& knot, const std::string& prefix) {
     throw Error(fmt::format("{} \"three\" needs {} other than 0; use \"rotation-minimizing\"",
                             ranges.label("frames"), ranges.label("p")));
   }
-  if (knot.tube_radius >= knot.ring_radius) {
+  if (knot.tube_radius >= knot.major_radius) {
     throw Error(fmt::format("{} must be < {}, {}, got {}", ranges.label("tube"),
-                            ranges.label("ring"), knot.ring_radius, knot.tube_radius));
+                            ranges.label("ring"), knot.major_radius, knot.tube_radius));
   }
   const long long vertices = (knot.segments + 1LL) * (knot.sides + 1LL) * std::gcd(knot.p, knot.q);
-  if (vertices > kMostVertices) {
+  if (vertices > kMaxVertices) {
     throw Error(fmt::format("{} x {} make {} vertices, more than {}; lower one of them",
                             ranges.label("segments"), ranges.label("sides"), vertices,
-                            kMostVertices));
+                            kMaxVertices));
   }
 }
 
@@ -206,8 +206,8 @@ void check_scene(const SceneSpec& spec) {
     std::visit(LightCheck(i), spec.view.lights[i]);
   }
   const ImageSpec& image = spec.view.image;
-  check_samples({image.width, image.height, 1}, kMostPixels);
-  check_samples(image, kMostSamples);
+  check_samples({image.width, image.height, 1}, kMaxPixels);
+  check_samples(image, kMaxSamples);
 }
 
 }  // namespace lumaknot

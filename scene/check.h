@@ -1,10 +1,10 @@
-/// What a scene's numbers must satisfy, told so that the reader knows what to change.
+/// The conditions on a scene's numbers, with errors that say what to change.
 #pragma once
 
 #include <string>
 
 #include "scene/fields.h"
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
@@ -14,18 +14,18 @@ void check_integer(const std::string& label, long long value, IntRange range);
 /// Throws Error unless `value` is finite and within `bound`.
 void check_number(const std::string& label, double value, Bound bound);
 
-/// What errors call the field `key`: `prefix` + key ("mesh.knot.p"), or, after "--", the flag.
+/// The name of the field `key` in errors: `prefix` + key ("mesh.knot.p"), or, after "--", the flag.
 std::string field_label(const std::string& prefix, std::string_view key);
 
-/// Throws Error unless every field of `knot` is in its range, the convention can have them and the
-/// mesh is of a size that can be built. Fields are called by field_label().
+/// Throws Error unless every field of `knot` is in its range, the convention supports it and the
+/// mesh is small enough to build. Fields are named by field_label().
 void check_knot(const KnotSpec& knot, const std::string& prefix);
 
-/// Throws Error for what no single field can tell: a line of sight without a direction, a luma
-/// offset outside a luma space, an image too large. Fields are called by their JSON path.
+/// Throws Error for conditions on several fields: a line of sight without a direction, a luma
+/// offset outside a luma space, an image too large. Fields are named by their JSON path.
 void check_scene(const SceneSpec& spec);
 
-/// Throws Error when `image` holds more than `limit` samples in all, counted in 64 bits.
+/// Throws Error when `image` has more than `limit` samples in total, counted in 64 bits.
 void check_samples(const ImageSpec& image, long long limit);
 
 }  // namespace lumaknot

@@ -6,8 +6,8 @@
 ///   integer(key, int&, IntRange, about), number(key, double&, Bound, about),
 ///   vector(key, Vec3d&, about), color(key, Vec3d&, about), text(key, std::string&, about),
 ///   constant(key, value, about), choice(key, Enum&, names, about), object(key, Struct&, about),
-///   one_of(key, variant&, about), which visit_value() the chosen alternative,
-///   and list(key, vector<variant>&, most, about), each element as one_of.
+///   one_of(key, variant&, about), which calls visit_value() with the chosen alternative,
+///   and list(key, vector<variant>&, max, about), each element as one_of.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 #include <span>
 #include <string_view>
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
@@ -25,7 +25,7 @@ struct IntRange {
   int max = std::numeric_limits<int>::max();
 };
 
-/// The finite numbers from `min` to `max`, without the ends where `open_min`, `open_max` say so.
+/// The finite numbers from `min` to `max`, excluding the ends where `open_min`, `open_max` are set.
 struct Bound {
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
@@ -35,11 +35,11 @@ struct Bound {
 inline constexpr Bound kPositive{.min = 0, .open_min = true};
 inline constexpr Bound kNotNegative{.min = 0};
 
-/// Of light and what becomes of it: single precision holds the products and sums of such numbers.
+/// For light and lit colours: single precision holds the products and sums of such numbers.
 inline constexpr double kBrightest = 1e6;
 inline constexpr Bound kBrightness{.min = 0, .max = kBrightest};
 
-/// The names of an enumeration's values, in their order.
+/// The names of an enumeration's values, in order.
 inline constexpr std::array<std::string_view, 5> kModelNames{"phong", "blinn-phong", "minnaert",
                                                              "oren-nayar", "cook-torrance"};
 inline constexpr std::array<std::string_view, 8> kSpaceNames{"rgb",    "yiq",    "yuv601", "yuv709",
@@ -49,7 +49,7 @@ inline constexpr std::array<std::string_view, 2> kClampNames{"free", "table1"};
 inline constexpr std::array<std::string_view, 2> kNormalNames{"unit", "interpolated"};
 inline constexpr std::array<std::string_view, 3> kGamutNames{"free", "clamp", "chroma"};
 inline constexpr std::array<std::string_view, 2> kHighlightNames{"free", "gated"};
-inline constexpr std::array<std::string_view, 2> kRateNames{"pixel", "vertex"};
+inline constexpr std::array<std::string_view, 2> kFrequencyNames{"pixel", "vertex"};
 
 inline constexpr std::array<std::string_view, 4> kConventionNames{"lumaknot", "three", "babylon",
                                                                   "blender"};
@@ -57,7 +57,7 @@ inline constexpr std::array<std::string_view, 5> kFrameNames{
     "rotation-minimizing", "double-reflection", "frenet", "fixed-up", "three"};
 inline constexpr std::array<std::string_view, 2> kUnwrapNames{"parameter", "arc-length"};
 
-inline constexpr std::size_t kMostLights = 16;
+inline constexpr std::size_t kMaxLights = 16;
 
 template <class V>
 void visit_fields(V& v, KnotSpec& k) {
@@ -65,8 +65,8 @@ void visit_fields(V& v, KnotSpec& k) {
            "whose vertices, normals, texture coordinates and defaults");
   v.integer("p", k.p, {-1000, 1000}, "turns about the axis");
   v.integer("q", k.q, {-1000, 1000}, "turns through the hole; a link when not coprime to p");
-  v.number("ring", k.ring_radius, kPositive, "radius of the ring, axis to tube centre");
-  v.number("winding", k.winding_radius, kPositive, "radius of the winding about the ring");
+  v.number("ring", k.major_radius, kPositive, "radius of the ring, axis to tube centre");
+  v.number("winding", k.minor_radius, kPositive, "radius of the winding about the ring");
   v.number("tube", k.tube_radius, kPositive, "radius of the tube swept along the knot");
   v.integer("segments", k.segments, {3, 10'000'000}, "faces along each component");
   v.integer("sides", k.sides, {3, 1'000'000}, "faces around the tube");
@@ -145,7 +145,7 @@ void visit_fields(V& v, Material& m) {
   v.choice("gamut", m.gamut, kGamutNames, "what becomes of colours outside [0, 1]");
   v.choice("normal", m.normal, kNormalNames, "renormalised a pixel, or as interpolated");
   v.choice("highlights", m.highlights, kHighlightNames, "gated: none where n.l <= 0");
-  v.choice("rate", m.rate, kRateNames, "light computed a pixel, or a vertex and interpolated");
+  v.choice("rate", m.rate, kFrequencyNames, "light computed a pixel, or a vertex and interpolated");
 }
 
 template <class V>
@@ -160,7 +160,7 @@ void visit_fields(V& v, SceneSpec& s) {
   v.one_of("mesh", s.mesh, "what is drawn");
   v.one_of("texture", s.texture, "the surface's colour");
   v.object("camera", s.view.camera, "a pinhole camera; right-handed, +Z up");
-  v.list("lights", s.view.lights, kMostLights, "the lamps");
+  v.list("lights", s.view.lights, kMaxLights, "the lamps");
   v.number("ambient", s.view.ambient, kBrightness, "ambient light");
   v.color("ambient_color", s.view.ambient_color, "of the ambient light, r'g'b'");
   v.object("material", s.view.material, "how the surface answers the light");

@@ -9,7 +9,7 @@
 
 namespace lumaknot {
 
-/// width x height pixels of `Pixel`, row by row from the top left; pixel centres lie at +0.5.
+/// width x height pixels of `Pixel`, row by row from the top left; pixel centres are at +0.5.
 template <class Pixel>
 struct Grid {
   int width = 0, height = 0;
@@ -36,13 +36,13 @@ inline Rgb to_rgb(const Vec3d& c) { return {float(c.x), float(c.y), float(c.z)};
 /// A texture, its values in [0, 1].
 using TextureImage = Grid<Rgb>;
 
-/// A drawn pixel: the colour, already multiplied by the coverage, and the covered share in [0, 1].
+/// A rendered pixel: the colour, premultiplied by the coverage, and the covered share in [0, 1].
 struct RgbaPixel {
   Rgb color;
   float coverage = 0;
 };
 
-/// A drawn image over a black, transparent background. Colours may leave [0, 1].
+/// A rendered image over a black, transparent background. Colours may leave [0, 1].
 using Image = Grid<RgbaPixel>;
 
 }  // namespace lumaknot

@@ -5,7 +5,7 @@
 namespace lumaknot {
 namespace {
 
-/// How a space is used: one of the words that a formula's name begins with.
+/// The use of a space: one of the words that a formula's name begins with.
 struct SpaceUse {
   std::string_view name;
   Space space;
@@ -64,7 +64,7 @@ std::string_view full_name(std::string_view name) {
 SceneSpec figure2() {
   SceneSpec scene;
   KnotSpec knot;
-  knot.unwrap = Unwrap::kParameter;  // as the tools of its time
+  knot.unwrap = Unwrap::kParameter;  // as with the tools of its time
   knot.repeat_u = 12;                // bricks about as long on the tube as they are in the image
   scene.mesh = knot;
   return scene;
@@ -136,8 +136,8 @@ KnotSpec knot_defaults(Convention convention) {
   KnotSpec knot;
   knot.convention = convention;
   const auto sizes = [&](double ring, double winding, double tube, int segments, int sides) {
-    knot.ring_radius = ring;
-    knot.winding_radius = winding;
+    knot.major_radius = ring;
+    knot.minor_radius = winding;
     knot.tube_radius = tube;
     knot.segments = segments;
     knot.sides = sides;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
@@ -30,17 +30,17 @@ std::vector<std::string_view> space_use_names();
 std::vector<std::string> formula_names();
 
 /// `base` with the formula called `name`, one of formula_names() or a paper material's; its numbers
-/// stay as they are. Nothing when there is no such name.
+/// are kept. Empty if absent.
 std::optional<Material> with_formula(const Material& base, std::string_view name);
 
-/// The name of `material`'s formula, a paper material's where there is one, or "custom".
+/// The name of `material`'s formula, preferably a paper material's, or "custom".
 std::string formula_name(const Material& material);
 
-/// The knot that `convention` makes when no number is given. Theirs: three.js's TorusKnotGeometry,
-/// Babylon.js's CreateTorusKnot, Blender's add-on with its bevel.
+/// The default knot of `convention`. Theirs: three.js's TorusKnotGeometry, Babylon.js's
+/// CreateTorusKnot, Blender's add-on with its bevel.
 KnotSpec knot_defaults(Convention convention);
 
-/// Whether the winding's radius is half the ring's, whatever that is.
+/// Whether the minor radius is half the major radius, whatever that is.
 bool has_fixed_winding(Convention convention);
 
 /// A scene by name.
@@ -52,7 +52,7 @@ struct NamedScene {
 /// Figure 1's three views and Figure 2's performance scene.
 const std::array<NamedScene, 4>& named_scenes();
 
-/// The built-in scene called `name`, or nothing.
+/// The built-in scene called `name`; empty if absent.
 std::optional<SceneSpec> builtin_scene(std::string_view name);
 
 }  // namespace lumaknot

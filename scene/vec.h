@@ -22,7 +22,7 @@ struct Vec3 {
   friend constexpr Vec3 operator*(const S& s, const Vec3& a) { return a * s; }
   friend constexpr Vec3 operator/(const Vec3& a, const S& s) { return {a.x / s, a.y / s, a.z / s}; }
   friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-  friend bool operator==(const Vec3&, const Vec3&) = default;  // constexpr where that of S is
+  friend bool operator==(const Vec3&, const Vec3&) = default;  // constexpr if S's is
 };
 
 using Vec3d = Vec3<double>;

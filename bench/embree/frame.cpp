@@ -12,8 +12,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/simd_number.h"
-#include "shaders/lighting.h"
+#include "render/fast/simd_number.h"
+#include "shaders/formulas/lighting.h"
 
 namespace lumaknot::embree {
 namespace {
@@ -44,7 +44,7 @@ Rays rays_of(const View& view) {
   return {view.camera.position, corner, x, y, near_depth(view.camera)};
 }
 
-/// What a frame's packets share.
+/// The data shared by a frame's packets.
 struct Shading {
   const Tracer& tracer;
   const Surface& surface;

@@ -12,10 +12,10 @@
 
 namespace lumaknot::embree {
 
-/// Pixels of 8 bits a channel, red in the lowest byte, coverage in the highest.
+/// Pixels of 8 bits per channel, red in the lowest byte, coverage in the highest.
 using Frame = Grid<std::uint32_t>;
 
-/// A job's mesh as the shading reads it, and its texture.
+/// A job's mesh, laid out for shading, and its texture.
 class Surface {
  public:
   /// `job` must outlive it.
@@ -25,12 +25,12 @@ class Surface {
   const PackedTexture* texture() const { return texture_; }
 
  private:
-  // kStride floats a triangle, as their bits: xsimd 8.1 gathers integers alone by one instruction.
+  // kStride floats per triangle, as their bits: xsimd 8.1 gathers only integers by one instruction.
   std::vector<std::int32_t> attributes_;
   const PackedTexture* texture_;
 };
 
-/// Draws `draw` with `samples` rays a pixel into `frame`, which has its size. On all of TBB's
+/// Draws `draw` with `samples` rays per pixel into `frame`, which has its size. On all of TBB's
 /// threads.
 void draw_frame(const Tracer& tracer, const Surface& surface, const Draw& draw, int samples,
                 Frame& frame);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/atomic_file.h"
-#include "scene/scene_json.h"
+#include "scene/json.h"
+#include "system/atomic_file.h"
 #include "validate/gpu/fields.h"
 #include "validate/gpu/files.h"
 
@@ -48,8 +48,9 @@ Draw read_draw(Fields fields, const fs::path& folder) {
   if (const auto* plain = std::get_if<PlainColor>(&spec.texture)) draw.color = plain->rgb;
   draw.output = folder / fields.text("output");
   fields.finish();
-  if (draw.view.material.form == Form::kBaked || draw.view.material.rate == Rate::kVertex) {
-    throw Error(fmt::format("{}: only light a pixel and textures in r'g'b' are drawn", scene));
+  if (draw.view.material.form == Form::kBaked ||
+      draw.view.material.rate == ShadingFrequency::kVertex) {
+    throw Error(fmt::format("{}: only per-pixel light and textures in r'g'b' are drawn", scene));
   }
   return draw;
 }
@@ -63,7 +64,7 @@ Job job_from(Fields fields, const fs::path& folder) {
   if (fields.has("texture")) job.texture = read_texture(fields.object("texture"), folder);
   for (const Fields& f : fields.objects("draws")) job.draws.push_back(read_draw(f, folder));
   fields.finish();
-  if (job.draws.empty()) throw Error("draws must hold one draw at least");
+  if (job.draws.empty()) throw Error("draws must hold at least one draw");
   return job;
 }
 

@@ -1,14 +1,14 @@
-/// What lumaknot-embree draws: a job file with everything that it names, read and checked.
+/// What lumaknot-embree draws: a job file and all files it names, read and checked.
 ///
-/// The file is JSON; a member that is not listed here is refused. Paths are relative to its folder.
-///   frames     how many of each draw are timed, in turns, after one of each that is not
-///   samples    rays a pixel, 1 to 16 (optional, 1)
-///   threads    optional; 0: one for each core
-///   mesh       as lumaknot-gpu has it: vertices, count, indices, triangles
+/// The file is JSON; members not listed here are rejected. Paths are relative to its folder.
+///   frames     timed frames of each draw, in turns, after one untimed frame of each
+///   samples    rays per pixel, 1 to 16 (optional, 1)
+///   threads    optional; 0: one per core
+///   mesh       as in lumaknot-gpu: vertices, count, indices, triangles
 ///   texture    optional: file (width x height x 4 floats, the row at v = 0 first), width, height;
-///              held with 8 bits a channel
-///   draws      list: name, scene (scene.json: its view is drawn; its mesh and any texture but a
-///              plain colour are not looked at), output (file to write: width x height x 4 floats,
+///              stored with 8 bits per channel
+///   draws      list: name, scene (scene.json: its view is drawn; its mesh and any texture except
+///              a plain colour are ignored), output (file to write: width x height x 4 floats,
 ///              top row first, the last frame)
 #pragma once
 
@@ -18,12 +18,12 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 #include "validate/gpu/mesh_file.h"
 
 namespace lumaknot::embree {
 
-/// A texture as display hardware has it, repeated in both directions.
+/// A texture as on display hardware, repeated in both directions.
 struct PackedTexture {
   int width = 0, height = 0;
   std::vector<std::int32_t> texels;  ///< red in the lowest byte; row 0 at v = 0
@@ -32,7 +32,7 @@ struct PackedTexture {
 struct Draw {
   std::string name;
   View view;
-  Vec3d color;  ///< of the surface where the job has no texture
+  Vec3d color;  ///< of the surface if the job has no texture
   std::filesystem::path output;
 };
 

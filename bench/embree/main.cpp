@@ -1,6 +1,6 @@
 // lumaknot-embree JOB.json     draws what the job file says; prints each frame's time as JSON
-// lumaknot-embree --version    prints Embree's version
-// Exit code 0: done; 2: wrong use or a bad job; 3: Embree does not serve.
+// lumaknot-embree --version    prints Embree's version Exit code 0: done; 2: wrong usage or a bad
+// job; 3: Embree failed.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/embree/frame.h"
-#include "scene/atomic_file.h"
-#include "scene/error.h"
+#include "system/atomic_file.h"
+#include "system/error.h"
 
 namespace lumaknot::embree {
 namespace {
@@ -87,8 +87,8 @@ void run(const std::vector<std::string>& arguments) {
   }
 }
 
-/// In one line, whatever it quotes.
-int tell(std::string message, int exit_code) {
+/// Prints an error on one line, whatever it quotes.
+int fail_with(std::string message, int exit_code) {
   std::ranges::replace_if(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot-embree: {}\n", message);
   return exit_code;
@@ -99,11 +99,11 @@ int run_program(const std::vector<std::string>& arguments) {
     run(arguments);
     return 0;
   } catch (const Error& e) {
-    return tell(e.what(), kExitBadJob);
+    return fail_with(e.what(), kExitBadJob);
   } catch (const std::bad_alloc&) {
-    return tell("out of memory; lower width and height", kExitUnavailable);
+    return fail_with("out of memory; lower width and height", kExitUnavailable);
   } catch (const std::exception& e) {
-    return tell(e.what(), kExitUnavailable);
+    return fail_with(e.what(), kExitUnavailable);
   }
 }
 

@@ -17,10 +17,10 @@ namespace lumaknot::embree {
 /// A static hierarchy of the best quality over a mesh.
 class Tracer {
  public:
-  /// Throws std::runtime_error when Embree refuses; `mesh` must outlive it.
+  /// Throws std::runtime_error if Embree fails; `mesh` must outlive it.
   explicit Tracer(const gpu::Mesh& mesh);
 
-  /// Intersects sixteen rays that run alongside each other; those with valid[i] of 0 are left out.
+  /// Intersects sixteen coherent rays, without those whose valid[i] is 0.
   void trace(const int* valid, RTCRayHit16& rays) const;
 
   /// "Embree 4.3.3"

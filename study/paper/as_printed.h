@@ -1,5 +1,5 @@
-/// Eq. 1 and 2 as the paper's text and print have them, errors and all: for its own examination
-/// alone. The formulas that pictures are made of are in shaders/terms.h.
+/// Eq. 1 and 2 as printed in the paper, including errors: only for its examination. The formulas
+/// that pictures use are in shaders/formulas/models.h.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace lumaknot {
 
-/// What eq. 1 and 2 speak of, unit vectors: the normal, from the surface to the light and to the
+/// The unit vectors of eq. 1 and 2: the normal, from the surface to the light and to the
 /// eye.
 struct PrintedDirections {
   Vec3d n, l, v;
@@ -17,8 +17,8 @@ struct PrintedDirections {
 /// Eq. 1 with L "pointing from the light source to the surface", as the text defines it.
 inline double eq1_as_worded(const PrintedDirections& d) { return std::max(dot(-d.l, d.n), 0.0); }
 
-/// Eq. 2 as printed, v . (L - (2 L . n)): a vector less a number, which HLSL takes from each of its
-/// components; no exponent. L from the surface to the light, as in Table 1.
+/// Eq. 2 as printed, v . (L - (2 L . n)): a vector minus a number, which HLSL subtracts from each
+/// of its components; no exponent. L from the surface to the light, as in Table 1.
 inline double eq2_as_printed(const PrintedDirections& d) {
   const double number = 2 * dot(d.l, d.n);
   return std::max(dot(d.v, d.l - Vec3d{number, number, number}), 0.0);

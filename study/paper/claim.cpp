@@ -26,23 +26,23 @@ std::string with_unit(double value, const std::string& unit) {
 }  // namespace
 
 bool Measure::meets() const {
-  return std::isfinite(value) && !(least && value < *least) && !(most && value > *most);
+  return std::isfinite(value) && !(min && value < *min) && !(max && value > *max);
 }
 
 Measure note(std::string what, double value, std::string unit) {
   return {std::move(what), value, std::move(unit), {}, {}};
 }
 
-Measure at_most(std::string what, double value, double most, std::string unit) {
-  return {std::move(what), value, std::move(unit), {}, most};
+Measure at_most(std::string what, double value, double max, std::string unit) {
+  return {std::move(what), value, std::move(unit), {}, max};
 }
 
-Measure at_least(std::string what, double value, double least, std::string unit) {
-  return {std::move(what), value, std::move(unit), least, {}};
+Measure at_least(std::string what, double value, double min, std::string unit) {
+  return {std::move(what), value, std::move(unit), min, {}};
 }
 
-Measure within(std::string what, double value, double least, double most, std::string unit) {
-  return {std::move(what), value, std::move(unit), least, most};
+Measure within(std::string what, double value, double min, double max, std::string unit) {
+  return {std::move(what), value, std::move(unit), min, max};
 }
 
 Ruling ruling_of(const PaperClaim& claim) {
@@ -71,12 +71,12 @@ std::string figure_text(double value) {
 std::string value_text(const Measure& measure) { return with_unit(measure.value, measure.unit); }
 
 std::string bound_text(const Measure& m) {
-  if (m.least && m.most && *m.least == *m.most) return with_unit(*m.least, m.unit);
-  if (m.least && m.most) {
-    return fmt::format("{} to {}", figure_text(*m.least), with_unit(*m.most, m.unit));
+  if (m.min && m.max && *m.min == *m.max) return with_unit(*m.min, m.unit);
+  if (m.min && m.max) {
+    return fmt::format("{} to {}", figure_text(*m.min), with_unit(*m.max, m.unit));
   }
-  if (m.least) return "at least " + with_unit(*m.least, m.unit);
-  return m.most ? "at most " + with_unit(*m.most, m.unit) : "";
+  if (m.min) return "at least " + with_unit(*m.min, m.unit);
+  return m.max ? "at most " + with_unit(*m.max, m.unit) : "";
 }
 
 long long count_of(const std::vector<PaperClaim>& claims, Ruling ruling) {

@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "scene/presets.h"
-#include "validate/report.h"
-#include "validate/validate.h"
+#include "validate/report/forms.h"
+#include "validate/run.h"
 
 namespace lumaknot {
 namespace {
@@ -85,7 +85,7 @@ FigureRenderer renderer_of(const RendererResult& judgement) {
           .missing = judgement.drew_any() ? "" : judgement.shots.front().drawn.why};
 }
 
-/// What a renderer did for both lights.
+/// A renderer's results for both lights.
 FigureRenderer joined(const FigureRenderer& a, const FigureRenderer& b) {
   const bool drew = a.missing.empty() || b.missing.empty();
   return {.name = a.name,
@@ -107,12 +107,12 @@ bool LightPictures::complete() const {
 }
 
 LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
-                         const std::function<void()>& told) {
+                         const std::function<void()>& on_message) {
   const bool front = light == FigureLight::kFront;
   const ValidationJob job{front ? scenes.front : scenes.back,
                           front ? front_shots(scenes) : back_shots(scenes), kRenderers, programs};
   const Validation validation = validate(job, [&](const std::string&) {
-    if (told) told();
+    if (on_message) on_message();
   });
   LightPictures result;
   for (std::size_t i = 0; i < validation.shots.size(); ++i) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "study/paper/paper_scenes.h"
-#include "validate/renderer.h"
+#include "study/paper/scenes.h"
+#include "validate/renderers/adapter.h"
 
 namespace lumaknot {
 
@@ -17,13 +17,13 @@ struct FigureImage {
   std::string file;     ///< a PNG file's name below the page's folder; empty: it was not drawn
   std::string png;      ///< that file's bytes
   std::string outcome;  ///< "agreed", "differed", "failed" or "skipped"; empty: ours
-  std::string why;      ///< when it was not drawn: the reason and the remedy
-  std::string note;     ///< how it was drawn, when not simply by the renderer
+  std::string why;      ///< if it was not drawn: the reason and the remedy
+  std::string note;     ///< how it was drawn, if not simply by the renderer
   double mean = 0;      ///< of each pixel's largest difference of a channel, inside
   double agree = 0;     ///< share of the covered pixels that are covered in both and within limits
 };
 
-/// Where a renderer's picture lies, below the page's folder.
+/// A renderer's picture, below the page's folder.
 std::string figure_file(std::string_view picture, std::string_view renderer);
 
 /// A picture of a figure.
@@ -36,9 +36,9 @@ struct FigurePicture {
 /// A renderer that was asked to draw.
 struct FigureRenderer {
   std::string name;
-  std::string version;  ///< empty when it never ran
+  std::string version;  ///< empty if it never ran
   double seconds = 0;   ///< of its processes
-  std::string missing;  ///< when it drew nothing: the reason and the remedy
+  std::string missing;  ///< if it drew nothing: the reason and the remedy
 };
 
 /// The pictures of one light, each renderer's from one process.
@@ -50,13 +50,13 @@ struct LightPictures {
   bool complete() const;
 };
 
-/// The light in front, specular reflection alone with it; and the light at the back.
+/// The light in front, including specular reflection only; and the light at the back.
 enum class FigureLight { kFront, kBack };
 
 /// Draws with us, Cycles and POV-Ray, both at the same time, and compares as `lumaknot validate`
-/// does. `told` is called when one of them is done. Throws Interrupted.
+/// does. `on_message` is called when one of them is done. Throws Interrupted.
 LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
-                         const std::function<void()>& told = {});
+                         const std::function<void()>& on_message = {});
 
 struct Figures {
   std::vector<FigurePicture> figure1;  ///< front, back, specular: each in Phong, then in YIQ

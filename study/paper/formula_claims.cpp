@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scene/presets.h"
-#include "shaders/yiq.h"
+#include "shaders/spaces/yiq.h"
 #include "study/paper/picture_measures.h"
 
 namespace lumaknot {
@@ -28,8 +28,8 @@ Change over(std::span<const LitPoint> points, F value, G right) {
   return change;
 }
 
-/// The largest change of I or Q between two pictures, and the share of pixels where it is more than
-/// a step; of displayed colours, or of those computed.
+/// The largest change of I or Q between two pictures, and the share of pixels where it exceeds a
+/// step; of displayed colours, or of those computed.
 Change chroma_change(const Image& a, const Image& b, bool displayed) {
   Change change;
   long long count = 0;
@@ -157,7 +157,7 @@ PaperClaim rgb_brightness_claim(const Image& texture, const Image& phong) {
       "Front picture without highlights, as displayed: pixels whose luma is above the texture's "
       "by more than 1/255. Light reaches L_A + L_D = 1.1 there.",
       {at_most("pixels brighter than the texture", 100 * rise.share, 0, "%"),
-       note("largest rise of luma", rise.most)},
+       note("largest rise of luma", rise.max)},
       ""};
 }
 
@@ -169,7 +169,7 @@ PaperClaim yiq_brightness_claim(const Image& texture, const Image& phong, const 
           "The same picture in YIQ. Luma is a weighted sum of the channels, so eq. 3 already "
           "multiplies it by L_A + L_D, as eq. 6 does: what YIQ gains is taken before the clamp.",
           {at_least("pixels brighter than the texture", 100 * rise.share, 0.1, "%"),
-           note("largest rise of luma", rise.most),
+           note("largest rise of luma", rise.max),
            at_least("mean luma above Phong's, as computed", mean_luma_gain(yiq, phong), kStep)},
           ""};
 }

@@ -1,14 +1,14 @@
-/// What sections 1 and 2 claim of the formulas: eq. 1 to 8 and the matrices.
+/// The claims of sections 1 and 2 about the formulas: eq. 1 to 8 and the matrices.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "scene/image.h"
-#include "shaders/matrix3.h"
+#include "shaders/spaces/matrix3.h"
 #include "study/paper/as_printed.h"
 #include "study/paper/claim.h"
-#include "study/paper/paper_scenes.h"
+#include "study/paper/scenes.h"
 
 namespace lumaknot {
 
@@ -23,7 +23,7 @@ PaperClaim inverse_claim(const YiqMatrices& m);
 PaperClaim ones_claim(const YiqMatrices& m);
 PaperClaim luma_claim(const Vec3d& weights);
 
-/// A point of the surface with what Table 1 computes there.
+/// A point of the surface with Table 1's terms there.
 struct LitPoint {
   PrintedDirections directions;
   double diffuse = 0, specular = 0;  ///< L_D, L_S

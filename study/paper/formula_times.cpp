@@ -4,9 +4,9 @@
 #include <chrono>
 #include <memory>
 
-#include "render/fast_renderer.h"
+#include "render/fast/renderer.h"
 #include "scene/presets.h"
-#include "validate/process.h"
+#include "system/process.h"
 
 namespace lumaknot {
 namespace {
@@ -29,16 +29,16 @@ std::unique_ptr<FastRenderer> renderer_of(Scene scene, const std::string& formul
 
 std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std::string>& formulas,
                                        double seconds, const Progress& progress) {
-  constexpr std::size_t kLeastRounds = 3;
+  constexpr std::size_t kMinRounds = 3;
   std::vector<std::unique_ptr<FastRenderer>> renderers;
   Grid<Rgba8> image;
   for (const std::string& formula : formulas) {
     renderers.push_back(renderer_of(scene, formula));
-    renderers.back()->draw(image);  // the first frame takes the memory
+    renderers.back()->draw(image);  // the first frame allocates the memory
   }
   std::vector<std::vector<double>> times(formulas.size());
   const auto start = Clock::now();
-  for (double share = 0; share < 1 || times.front().size() < kLeastRounds;) {
+  for (double share = 0; share < 1 || times.front().size() < kMinRounds;) {
     for (std::size_t i = 0; i < renderers.size(); ++i) {
       check_interrupted();
       const auto before = Clock::now();

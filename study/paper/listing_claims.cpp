@@ -9,10 +9,11 @@
 #include <set>
 
 #include "scene/presets.h"
-#include "shaders/dialects.h"
-#include "shaders/shader.h"
+#include "shaders/graph/shader.h"
+#include "shaders/languages/backend.h"
+#include "shaders/languages/functions.h"
+#include "study/paper/instruction_slots.h"
 #include "study/paper/picture_measures.h"
-#include "study/paper/slots.h"
 
 namespace lumaknot {
 namespace embedded {
@@ -43,7 +44,7 @@ ListingPictures listing_pictures(const PaperScenes& scenes) {
           with([&](Material& m) { m.normal = listing.normal; })};
 }
 
-/// The words of a program's text, as its language sees them.
+/// The tokens of a program's text.
 std::set<std::string> words_of(const std::string& text) {
   std::set<std::string> words;
   std::string word;
@@ -59,8 +60,8 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// Local variables ("float3 name = ...") that their function declares again. Functions are what
-/// stands between brackets of the first depth.
+/// Local variables ("float3 name = ...") that their function declares again. Functions are
+/// the text between brackets of the first depth.
 int declared_twice(std::string_view text) {
   static const std::regex kDeclaration(R"(\bfloat[234]?\s+(\w+)\s*=)");
   int twice = 0, depth = 0;
@@ -182,7 +183,7 @@ PaperClaim slider_claim(const SliderPictures& p) {
           "SpecularPower has a slider from 0 to 16 and is 55 at first.",
           "The default against its own slider, and the front picture at 16, the nearest that the "
           "slider can return to, against 55.",
-          {at_most("default", p.initial, p.slider_most),
+          {at_most("default", p.initial, p.slider_max),
            note("pixels changed by more than 1/255", 100 * change.share, "%"),
            note("largest change", change.max)},
           ""};
@@ -243,7 +244,8 @@ std::vector<PaperClaim> listing_claims(const PaperScenes& scenes) {
           gate_claim(all_ungated(scenes)),
           slider_claim(slider_pictures(scenes)),
           slots_claim(pixel_slots(shader), kTable1VertexSlots),
-          glsl_claim(function_text(function, kHlslDialect), function_text(function, kGlslDialect))};
+          glsl_claim(function_text(function, dialect_of(Language::kHlsl)),
+                     function_text(function, dialect_of(Language::kGlsl330)))};
 }
 
 }  // namespace lumaknot

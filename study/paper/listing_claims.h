@@ -1,4 +1,4 @@
-/// What section 3 claims of Table 1's listing.
+/// The claims of section 3 about Table 1's listing.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "scene/image.h"
 #include "study/paper/claim.h"
-#include "study/paper/paper_scenes.h"
+#include "study/paper/scenes.h"
 
 namespace lumaknot {
 
@@ -28,9 +28,9 @@ struct Ungated {
 };
 PaperClaim gate_claim(const std::vector<Ungated>& pictures);
 
-/// What the default exponent, which the slider cannot reach, and the slider's most draw.
+/// Pictures by the default exponent, which the slider cannot reach, and by the slider's maximum.
 struct SliderPictures {
-  double slider_most, initial;
+  double slider_max, initial;
   Image at_most, at_default;
 };
 PaperClaim slider_claim(const SliderPictures& pictures);
@@ -40,7 +40,7 @@ PaperClaim slots_claim(int pixel_slots, int vertex_slots);
 /// The formula's function in both languages.
 PaperClaim glsl_claim(const std::string& hlsl, const std::string& glsl);
 
-/// The listing's text as both scans print it.
+/// The listing's text as printed in both scans.
 PaperClaim ready_claim(std::string_view text);
 
 std::vector<PaperClaim> listing_claims(const PaperScenes& scenes);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/srgb.h"
-#include "shaders/yiq.h"
+#include "shaders/spaces/srgb.h"
+#include "shaders/spaces/yiq.h"
 #include "study/paper/formula_claims.h"
 
 namespace lumaknot {
@@ -28,29 +28,29 @@ double from_unit(const Matrix3& a, const Matrix3& b) {
   return largest;
 }
 
-/// The most that rounding both matrices to their printed decimals can put into a b.
+/// The largest error of a b from rounding both matrices to their printed decimals.
 double rounding_of(const Matrix3& a, const Matrix3& b) {
   constexpr double kHalfUnit = 0.5e-8;
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double both = sum_of(magnitudes(a.rows[i])) + sum_of(magnitudes(column(b, j)));
-      most = std::max(most, kHalfUnit * both);
+      max = std::max(max, kHalfUnit * both);
     }
   }
-  return most;
+  return max;
 }
 
-/// The least and the most of a row over the RGB cube, which lie at corners.
-double least_of(const Vec3d& row) {
+/// The minimum and maximum of a row over the RGB cube, which are at corners.
+double min_of(const Vec3d& row) {
   return std::min(row.x, 0.0) + std::min(row.y, 0.0) + std::min(row.z, 0.0);
 }
-double most_of(const Vec3d& row) { return -least_of(-row); }
+double max_of(const Vec3d& row) { return -min_of(-row); }
 
-/// How far the extremes of a row over the RGB cube are from the printed `least` and `most`.
-Measure beyond(const std::string& name, const Vec3d& row, double least, double most) {
+/// How far the extremes of a row over the RGB cube are from the printed ones.
+Measure beyond(const std::string& name, const Vec3d& row, double min, double max) {
   constexpr double kHalfUnit = 0.5e-4;  // of the four printed decimals
-  const double off = std::max(std::abs(least_of(row) - least), std::abs(most_of(row) - most));
+  const double off = std::max(std::abs(min_of(row) - min), std::abs(max_of(row) - max));
   return at_most(name + ": extremes beside the printed ones", off, kHalfUnit);
 }
 
@@ -105,13 +105,13 @@ PaperClaim ones_claim(const YiqMatrices& m) {
 }
 
 PaperClaim luma_claim(const Vec3d& weights) {
-  double least = 1e9, most = 0;
-  for (int i = 1; i < 216; ++i) {  // the cube in fifths, but for black
+  double min = 1e9, max = 0;
+  for (int i = 1; i < 216; ++i) {  // the cube in fifths, except black
     const Vec3d rgb{i % 6 / 5.0, i / 6 % 6 / 5.0, i / 36 / 5.0};
     const double luminance = xyz_from_rgb<double>(rgb).y;
     const double ratio = dot(weights, rgb) / encode_srgb<double>(luminance);
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
+    min = std::min(min, ratio);
+    max = std::max(max, ratio);
   }
   return {
       "luma",
@@ -119,8 +119,8 @@ PaperClaim luma_claim(const Vec3d& weights) {
       "Luma is proportional to the gamma-corrected luminance of a colour.",
       "Y over sRGB's encoded luminance for 215 colours of the RGB cube: were it proportional, the "
       "ratio would be the same for all. Of greys it is 1. Proportional: within a tenth.",
-      {at_most("most ratio over the least", most / least, 1.1), note("least ratio", least),
-       note("most ratio", most)},
+      {at_most("most ratio over the least", max / min, 1.1), note("least ratio", min),
+       note("most ratio", max)},
       ""};
 }
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "scene/presets.h"
-#include "shaders/shader.h"
-#include "shaders/srgb.h"
-#include "study/metrics.h"
-#include "study/paper/slots.h"
+#include "shaders/graph/shader.h"
+#include "shaders/spaces/srgb.h"
+#include "study/measure/metrics.h"
+#include "study/paper/instruction_slots.h"
 #include "study/paper/speed_claims.h"
 
 namespace lumaknot {
@@ -51,7 +51,7 @@ std::vector<SpacePicture> space_pictures(const PaperScenes& scenes) {
   return all;
 }
 
-/// FLIP between the back pictures, the knot seen from so many times as far.
+/// FLIP between the back pictures, the knot seen from this many times as far.
 double flip_from(const PaperScenes& scenes, double times) {
   Scene scene = scenes.back;
   scene.view.camera.position = scene.view.camera.position * times;
@@ -62,7 +62,7 @@ double flip_from(const PaperScenes& scenes, double times) {
   return errors_between(drawn("phong"), drawn("yiq-eq6")).flip;
 }
 
-/// Eq. 3 on linear light: the texture decoded, the picture encoded, as sRGB has it.
+/// Eq. 3 on linear light: the texture decoded, the picture encoded, both by sRGB.
 Image linear_picture(const PaperScenes& scenes, Scene scene) {
   for (Rgb& texel : std::get<TextureImage>(scene.texture).pixels) {
     const Vec3d c = to_vec(texel);
@@ -137,8 +137,8 @@ PaperClaim spaces_claim(const std::vector<SpacePicture>& spaces) {
       std::ranges::count_if(spaces, [](const SpacePicture& s) { return is_finite(s.image); });
   claim.measures.push_back(
       at_least("spaces that draw the picture", double(finite), double(spaces.size())));
-  const int most = std::ranges::max(spaces, {}, &SpacePicture::slots).slots;
-  claim.measures.push_back(at_most("most slots", most, 512));
+  const int max = std::ranges::max(spaces, {}, &SpacePicture::slots).slots;
+  claim.measures.push_back(at_most("most slots", max, 512));
   for (const SpacePicture& s : spaces) claim.measures.push_back(note("slots, " + s.name, s.slots));
   return claim;
 }

@@ -1,4 +1,4 @@
-/// What section 6 claims of other lighting models and other spaces.
+/// The claims of section 6 about other lighting models and other spaces.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 #include "study/paper/claim.h"
 #include "study/paper/formula_times.h"
-#include "study/paper/paper_scenes.h"
 #include "study/paper/picture_measures.h"
+#include "study/paper/scenes.h"
 
 namespace lumaknot {
 

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <optional>
 
-#include "shaders/cielab.h"
-#include "shaders/srgb.h"
-#include "shaders/yiq.h"
-#include "study/ciede2000.h"
-#include "study/statistics.h"
+#include "shaders/spaces/cielab.h"
+#include "shaders/spaces/srgb.h"
+#include "shaders/spaces/yiq.h"
+#include "study/measure/ciede2000.h"
+#include "validate/compare/quantile.h"
 
 namespace lumaknot {
 namespace {
@@ -147,7 +147,7 @@ Rise luma_rise(const Image& image, const Image& above) {
   const Marks where = covered(image);
   rise.share = mean_of(where, [&](std::size_t i) -> std::optional<double> {
     const double by = luma_of(image.pixels[i]) - luma_of(above.pixels[i]);
-    rise.most = std::max(rise.most, by);
+    rise.max = std::max(rise.max, by);
     return by > kStep ? 1.0 : 0.0;
   });
   return rise;

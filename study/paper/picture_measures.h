@@ -1,5 +1,5 @@
-/// What is measured of pictures. Pixels that no surface covers never count; unless it says
-/// otherwise colours are those of a display, limited to [0, 1].
+/// Measures of pictures. Pixels that no surface covers never count; unless stated otherwise,
+/// colours are those of a display, limited to [0, 1].
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace lumaknot {
 
-/// A step of an 8-bit display: what is no more than this apart looks the same there.
+/// A step of an 8-bit display: smaller differences look the same there.
 inline constexpr double kStep = 1.0 / 255;
 
-/// A mark for each pixel of an image.
+/// A mark per pixel of an image.
 using Marks = std::vector<char>;
 
 /// The covered pixels whose first channel `is_in`, in a picture of a stage.
@@ -23,23 +23,23 @@ double share_marked(const Marks& marks, const Image& image);  ///< of the covere
 /// How far two pictures are apart, by the largest difference of a pixel's channels.
 struct Change {
   double share = 0;      ///< of covered pixels: more than a step
-  long long pixels = 0;  ///< as many
+  long long pixels = 0;  ///< their number
   double mean = 0, max = 0;
 };
 Change change_between(const Image& a, const Image& b);
 Change change_between(const Image& a, const Image& b, const Marks& where);
 
-/// The same of colours as computed, whether a display has them or not.
+/// The same of colours as computed, whether a display can show them or not.
 Change unlimited_change(const Image& a, const Image& b);
 
-/// The largest difference of two channels of one pixel, not limited: 0 where all is grey.
+/// The largest difference of two channels of one pixel, not limited: 0 if all is grey.
 double largest_tint(const Image& image);
 
 /// `a` - `b`, not limited.
 Image minus(const Image& a, const Image& b);
 
 /// CIELAB of displayed colours: chroma C*, its mean over the marked pixels; saturation C* / L*, the
-/// mean chroma over the mean lightness. 0 where nothing is marked.
+/// mean chroma over the mean lightness. 0 if nothing is marked.
 double mean_chroma(const Image& image, const Marks& where);
 double mean_lightness(const Image& image, const Marks& where);
 double saturation(const Image& image, const Marks& where);
@@ -48,10 +48,10 @@ double saturation(const Image& image, const Marks& where);
 /// chroma is at least 2 in both.
 double mean_hue_turn(const Image& a, const Image& b, const Marks& where);
 
-/// By how much luma (eq. 4) rises above the other picture's.
+/// The rise of luma (eq. 4) above the other picture's.
 struct Rise {
   double share = 0;  ///< of covered pixels: by more than a step
-  double most = 0;
+  double max = 0;
 };
 Rise luma_rise(const Image& image, const Image& above);
 

@@ -5,17 +5,17 @@
 #include <algorithm>
 
 #include "scene/presets.h"
-#include "shaders/shader.h"
+#include "shaders/graph/shader.h"
+#include "study/paper/instruction_slots.h"
 #include "study/paper/picture_measures.h"
-#include "study/paper/slots.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr std::size_t kSpeedSection = 4;
 constexpr std::size_t kTable1 = 2;  // of kRateShots
-constexpr double kRealTime = 30;    // frames a second
-constexpr double kNoise = 0.5;      // percent that costs vary by between runs
+constexpr double kRealTime = 30;    // frames per second
+constexpr double kNoise = 0.5;      // percent by which costs vary between runs
 
 double percent(double share) { return 100 * share; }
 double cost_of(const PaperRow& row) { return percent(1 - row.yiq / row.classical); }
@@ -63,20 +63,20 @@ Forms forms_of(const PaperScenes& scenes, const std::vector<FormulaTime>& times)
 
 Measure time_note(const Forms& forms, std::string_view formula) {
   const Spread& ms = time_of(forms.times, formula).milliseconds;
-  return note(fmt::format("{}: a frame ({:.3g} to {:.3g})", formula, ms.least, ms.most), ms.median,
+  return note(fmt::format("{}: a frame ({:.3g} to {:.3g})", formula, ms.min, ms.max), ms.median,
               "ms");
 }
 
-/// Held to the paper's costs where the interval of the rows' least or most, and what runs differ
-/// by, is wholly within them or without; else a note, and in `claim.beyond` why.
+/// Compared with the paper's costs if the interval of the rows' minimum or maximum, widened by what
+/// runs differ by, is wholly inside or outside them; else a note, and in `claim.beyond` why.
 void add_cost(const std::string& what, double cost, const Interval& of_rows,
               const std::pair<double, double>& theirs, PaperClaim& claim) {
-  const auto [least, most] = theirs;
+  const auto [min, max] = theirs;
   const Interval interval{of_rows.low - kNoise, of_rows.high + kNoise};
-  const bool inside = interval.low >= least && interval.high <= most;
-  const bool outside = interval.high < least || interval.low > most;
+  const bool inside = interval.low >= min && interval.high <= max;
+  const bool outside = interval.high < min || interval.low > max;
   if (inside || outside) {
-    claim.measures.push_back(within(what, cost, least, most, "%"));
+    claim.measures.push_back(within(what, cost, min, max, "%"));
     return;
   }
   claim.measures.push_back(note(what, cost, "%"));
@@ -115,7 +115,7 @@ PaperClaim table_claim(std::span<const PaperRow> rows) {
     costs.push_back(cost_of(row));
     longer.push_back(percent(row.classical / row.yiq - 1));
   }
-  const double most = std::ranges::max(costs);
+  const double max = std::ranges::max(costs);
   return {
       "table2",
       kSpeedSection,
@@ -126,8 +126,8 @@ PaperClaim table_claim(std::span<const PaperRow> rows) {
       {within("GTS 250, 8x", costs[1], 0.5, 1.5, "%"),
        within("GTS 250, none", costs[0], 4.5, 5.5, "%"),
        within("X1950 GT, 6x", costs[3], 15, 25, "%"), within("GMA 950", costs[4], 15, 25, "%"),
-       within("most, as high as 32 %", most, 31.5, 32.5, "%"),
-       within("most, 30 % in the worst case", most, 25, 35, "%"),
+       within("most, as high as 32 %", max, 31.5, 32.5, "%"),
+       within("most, 30 % in the worst case", max, 25, 35, "%"),
        note("a frame takes longer by at most", std::ranges::max(longer), "%")},
       ""};
 }
@@ -168,8 +168,8 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
   const auto range = [](const auto& table, const auto& cost) {
     std::vector<double> all;
     for (const auto& row : table) all.push_back(cost(row));
-    const auto [least, most] = std::ranges::minmax(all);
-    return std::pair(least, most);
+    const auto [min, max] = std::ranges::minmax(all);
+    return std::pair(min, max);
   };
   const auto theirs = range(paper, [](const PaperRow& r) { return cost_of(r); });
   const auto ours = range(rows, [](const RateRow& r) { return cost_of(r); });

@@ -1,20 +1,20 @@
-/// What sections 5 and 6 claim of the mesh and of speed.
+/// The claims of sections 5 and 6 about the mesh and speed.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "study/frame_rates.h"
+#include "study/bench/frame_rates.h"
+#include "study/bench/report.h"
 #include "study/paper/claim.h"
 #include "study/paper/formula_times.h"
-#include "study/paper/paper_scenes.h"
-#include "study/rate_report.h"
+#include "study/paper/scenes.h"
 
 namespace lumaknot {
 
 PaperClaim grid_claim(long long vertices, long long triangles);
 
-/// Table 2, its rows as paper_rows() has them, against what the text says of it.
+/// Table 2, its rows by paper_rows(), against what the text says about it.
 PaperClaim table_claim(std::span<const PaperRow> rows);
 
 PaperClaim slower_claim(std::span<const RateRow> rows);
@@ -40,7 +40,7 @@ PaperClaim no_compromise_claim(const Forms& forms);
 /// The time of `formula`, which is among `times`.
 const FormulaTime& time_of(std::span<const FormulaTime> times, std::string_view formula);
 
-/// Those that time_formulas() is to time for the claims here and of outlook_claims.h.
+/// The formulas that time_formulas() is to time for the claims here and in outlook_claims.h.
 std::vector<std::string> timed_formulas();
 
 std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const RateTable& rates,

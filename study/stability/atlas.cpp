@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exporters/image_file.h"
-#include "study/gnuplot.h"
+#include "exporters/image/file.h"
+#include "study/measure/gnuplot.h"
 
 namespace lumaknot {
 namespace {
@@ -22,7 +22,7 @@ std::vector<Measured> measure(const Measurement& measure, const std::vector<doub
   return result;
 }
 
-/// The worst of the errors; no number when there are none, or one is none.
+/// The worst of the errors; not a number if there are none, or one is not a number.
 double worst(const std::vector<Measured>& all) {
   if (all.empty()) return std::numeric_limits<double>::quiet_NaN();
   double result = -std::numeric_limits<double>::infinity();
@@ -98,15 +98,15 @@ std::string sketch_png(const Image& image) {
 
 namespace {
 
-/// `text` as gnuplot quotes it.
+/// `text` in gnuplot's quotes.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
 }
 
-/// Whether an axis from `least` to `most` is better logarithmic.
-bool spans_decades(double least, double most) { return least > 0 && most / least > 50; }
+/// Whether an axis from `min` to `max` is better logarithmic.
+bool spans_decades(double min, double max) { return min > 0 && max / min > 50; }
 
 std::string data_block(const char* name, const std::vector<Measured>& all, bool logarithmic) {
   std::string text = fmt::format("${} << EOD\n", name);
@@ -121,7 +121,7 @@ std::string data_block(const char* name, const std::vector<Measured>& all, bool 
   return text + "EOD\n";
 }
 
-/// A shade on each stretch that fails. They have borders, so that a lone value is a line.
+/// A shade on each interval that fails. They have borders, so that a single value is a line.
 std::string shades(const Entry& entry) {
   std::string text;
   std::vector<SweepInterval> failing = stretches(entry.sweep, entry.limit, false);
@@ -138,16 +138,16 @@ std::string shades(const Entry& entry) {
 }  // namespace
 
 std::string sweep_chart(const Region& region, const Entry& entry) {
-  double least = entry.limit, most = entry.limit;
+  double min = entry.limit, max = entry.limit;
   for (const std::vector<Measured>* list : {&entry.sweep, &entry.guarded}) {
     for (const Measured& m : *list) {
       if (!std::isfinite(m.error)) continue;
-      if (m.error > 0) least = std::min(least, m.error);
-      most = std::max(most, m.error);
+      if (m.error > 0) min = std::min(min, m.error);
+      max = std::max(max, m.error);
     }
   }
-  const bool logarithmic = spans_decades(least, most);
-  least = std::max({least, most * 1e-12, entry.limit * 1e-6});
+  const bool logarithmic = spans_decades(min, max);
+  min = std::max({min, max * 1e-12, entry.limit * 1e-6});
   std::string script = data_block("method", entry.sweep, logarithmic) +
                        data_block("remedy", entry.guarded, logarithmic);
   script += fmt::format(
@@ -157,8 +157,8 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
   if (logarithmic) script += "set logscale y\nset format y '%.0e'\n";
   const double from = region.sweep.from, to = region.sweep.to;
   script += fmt::format("set xrange [{:.9g}:{:.9g}]\n", from, to);
-  script += logarithmic ? fmt::format("set yrange [{:.3g}:{:.3g}]\n", least / 2, most * 3)
-                        : fmt::format("set yrange [{}:{:.6g}]\n", "0", most * 1.15);
+  script += logarithmic ? fmt::format("set yrange [{:.3g}:{:.3g}]\n", min / 2, max * 3)
+                        : fmt::format("set yrange [{}:{:.6g}]\n", "0", max * 1.15);
   script += shades(entry);
   script += fmt::format(
       "plot {:.9g} with lines linecolor rgb '#888888' dashtype 2 title 'limit', $method with "

@@ -11,12 +11,12 @@ namespace lumaknot {
 
 /// A region's picture at one value.
 struct Picture {
-  std::string caption;  ///< empty for the chart, which says itself what it shows
+  std::string caption;  ///< empty for the chart, which needs none
   std::string file;     ///< its name in the region's folder
   std::string png;
 };
 
-/// What another quantity came to where the method is shown holding and failing.
+/// Another quantity where the method is shown holding and failing.
 struct AlsoMeasured {
   std::string name;
   double holds = 0, fails = 0;
@@ -27,7 +27,7 @@ struct Entry {
   std::string name, group, method, reason, remedy, parameter, measured;
   double limit = 0;
   Boundary boundary;
-  double guarded_worst = 0;  ///< of the remedy over the whole sweep; no number where there is none
+  double guarded_worst = 0;  ///< of the remedy over the whole sweep; not a number if there is none
   std::vector<Measured> sweep, guarded;  ///< the chart's points
   std::vector<AlsoMeasured> also;
   std::vector<Picture> pictures;  ///< holding, failing, the remedy; and the chart
@@ -39,19 +39,19 @@ struct AtlasOptions {
   int side = 200;        ///< of a sketch, pixels
 };
 
-/// Where swept values beyond the boundary hold again.
+/// The intervals of swept values beyond the boundary that hold again.
 std::vector<SweepInterval> holding_again(const Entry& entry);
 
 /// Sweeps the region, finds its boundary and draws it. `tick` is called at each value with the
-/// finished share in [0, 1]; what it throws ends the work.
+/// finished share in [0, 1]; its exceptions end the work.
 Entry examine(const Region& region, const AtlasOptions& options,
               const std::function<void(double)>& tick);
 
-/// `image` as PNG for the eye: pixels that are no numbers in magenta.
+/// `image` as a displayable PNG: pixels that are not numbers in magenta.
 std::string sketch_png(const Image& image);
 
-/// The chart of a region's sweep as SVG: error against parameter, the limit, and shaded the
-/// stretches that were measured to fail, the first of them from the boundary on.
+/// The chart of a region's sweep as SVG: error against parameter, the limit, and a shade on the
+/// intervals that were measured to fail, the first of them from the boundary on.
 std::string sweep_chart(const Region& region, const Entry& entry);
 
 }  // namespace lumaknot

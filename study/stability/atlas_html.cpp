@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <kainjow/mustache.hpp>
-
-#include "exporters/image_file.h"
 #include "study/stability/atlas_report.h"
+#include "validate/report/page_kit.h"
 
 namespace lumaknot {
 namespace embedded {
@@ -11,33 +9,29 @@ std::string_view atlas_template();
 }
 namespace {
 
-namespace mustache = kainjow::mustache;
-using Data = mustache::data;
+using Data = PageData;
 
-Data picture_data(const Picture& picture) {
+Data picture_data(const Picture& picture, const std::string& region) {
   Data data;
   if (!picture.caption.empty()) data.set("caption", picture.caption);
-  data.set("shows", picture.caption.empty() ? "chart" : picture.caption);
-  data.set("type", picture.file.ends_with(".svg") ? "svg+xml" : "png");
+  data.set("alt", region + ": " + (picture.caption.empty() ? "chart" : picture.caption));
   data.set("class", picture.file.substr(0, picture.file.find('.')));
-  data.set("bytes", base64(picture.png));
+  data.set("url", picture_url(picture.png, picture.file.ends_with(".svg") ? "svg+xml" : "png"));
   return data;
 }
 
 Data also_data(const std::vector<AlsoMeasured>& also) {
-  Data list(Data::type::list);
-  for (const AlsoMeasured& a : also) {
+  return page_list(also, [](const AlsoMeasured& a) {
     Data row;
     row.set("name", a.name);
     row.set("holds", fmt::format("{:.4g}", a.holds));
     row.set("fails", fmt::format("{:.4g}", a.fails));
-    list.push_back(row);
-  }
-  return list;
+    return row;
+  });
 }
 
 Data entry_data(const Entry& e) {
-  Data data, pictures(Data::type::list);
+  Data data;
   data.set("name", e.name);
   data.set("method", e.method);
   data.set("reason", e.reason);
@@ -52,8 +46,9 @@ Data entry_data(const Entry& e) {
   if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));
   data.set("also", also_data(e.also));
   data.set("has_also", !e.also.empty());
-  for (const Picture& picture : e.pictures) pictures.push_back(picture_data(picture));
-  data.set("pictures", pictures);
+  data.set("pictures", page_list(e.pictures, [&](const Picture& picture) {
+             return picture_data(picture, e.name);
+           }));
   return data;
 }
 
@@ -76,18 +71,16 @@ Data groups_data(const Atlas& atlas) {
 }
 
 Data energies_data(const std::vector<Energy>& energies) {
-  Data list(Data::type::list);
-  for (const Energy& e : energies) {
+  return page_list(energies, [](const Energy& e) {
     Data row;
     row.set("term", e.term);
-    row.set("most", fmt::format("{:.4g}", e.most));
+    row.set("most", fmt::format("{:.4g}", e.max));
     row.set("at", e.at_degrees < 0 ? "every" : fmt::format("{:.0f}°", e.at_degrees));
     row.set("above",
             e.above_degrees < 0 ? "never" : fmt::format("from {:.0f}° on", e.above_degrees));
     row.set("class", e.above_degrees < 0 ? "holds" : "fails");
-    list.push_back(row);
-  }
-  return list;
+    return row;
+  });
 }
 
 }  // namespace
@@ -98,8 +91,7 @@ std::string atlas_html(const Atlas& atlas) {
   page.set("groups", groups_data(atlas));
   page.set("energies", energies_data(atlas.energies));
   page.set("has_energies", !atlas.energies.empty());
-  mustache::mustache layout{std::string(embedded::atlas_template())};
-  return layout.render(page);
+  return render_page(embedded::atlas_template(), std::move(page));
 }
 
 }  // namespace lumaknot

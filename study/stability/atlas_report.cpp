@@ -8,8 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "scene/atomic_file.h"
-#include "scene/error.h"
+#include "study/measure/checkpoint.h"
+#include "system/atomic_file.h"
+#include "system/error.h"
+#include "system/version.h"
 
 namespace lumaknot {
 namespace {
@@ -100,14 +102,39 @@ Json energies_json(const std::vector<Energy>& energies) {
   for (const Energy& e : energies) {
     list.push_back(
         {{"term", e.term},
-         {"most", e.most},
+         {"most", e.max},
          {"at_degrees", e.at_degrees < 0 ? Json(nullptr) : Json(e.at_degrees)},
          {"above_degrees", e.above_degrees < 0 ? Json(nullptr) : Json(e.above_degrees)}});
   }
   return list;
 }
 
-/// `x` in so many digits, rounded up or down.
+CheckpointKeys atlas_keys() { return {{"version", std::string(version())}}; }
+
+Json atlas_values(const Atlas& atlas) {
+  Json json;
+  json["regions"] = Json::array();
+  for (const Entry& e : atlas.entries) json["regions"].push_back(entry_json(e));
+  json["energies"] = energies_json(atlas.energies);
+  return json;
+}
+
+Atlas atlas_from(const Json& json, const std::filesystem::path& folder) {
+  Atlas atlas;
+  for (const Json& region : json.at("regions")) {
+    if (has_pictures(region, folder)) atlas.entries.push_back(entry_of(region, folder));
+  }
+  for (const Json& e : json.at("energies")) {
+    const auto angle = [&](const char* key) {
+      return e.at(key).is_null() ? -1 : e.at(key).get<double>();
+    };
+    atlas.energies.push_back(
+        {e.at("term"), e.at("most"), angle("at_degrees"), angle("above_degrees")});
+  }
+  return atlas;
+}
+
+/// `x` with `digits` digits, rounded up or down.
 std::string rounded(double x, int digits, bool up) {
   const std::string nearest = fmt::format("{:.{}g}", x, digits);
   const double value = std::strtod(nearest.c_str(), nullptr);
@@ -119,7 +146,7 @@ std::string rounded(double x, int digits, bool up) {
 std::string energy_line(const Energy& e) {
   const std::string at =
       e.at_degrees < 0 ? "at every angle" : fmt::format("at {:2.0f} degrees", e.at_degrees);
-  return fmt::format("{:<38} {:>9.4g} {:<14}  {}\n", e.term, e.most, at,
+  return fmt::format("{:<38} {:>9.4g} {:<14}  {}\n", e.term, e.max, at,
                      e.above_degrees < 0
                          ? "never above 1"
                          : fmt::format("above 1 from {} degrees on", e.above_degrees));
@@ -171,38 +198,21 @@ std::string atlas_text(const Atlas& atlas) {
 }
 
 std::string atlas_json(const Atlas& atlas) {
-  Json json;
-  json["version"] = LUMAKNOT_VERSION;
-  json["regions"] = Json::array();
-  for (const Entry& e : atlas.entries) json["regions"].push_back(entry_json(e));
-  json["energies"] = energies_json(atlas.energies);
-  return json.dump(2) + "\n";
+  return checkpoint_text(atlas_keys(), atlas_values(atlas));
 }
 
-Atlas read_atlas(std::string_view text, const std::filesystem::path& folder,
-                 std::string_view label) try {
-  const Json json = Json::parse(text);
-  const std::string version = json.at("version");
-  if (version != LUMAKNOT_VERSION) {
-    throw Error(
-        fmt::format("{} is by lumaknot {} and this is {}; remove it, or give another folder", label,
-                    version, LUMAKNOT_VERSION));
-  }
+Atlas read_atlas(const std::string& text, const std::filesystem::path& folder,
+                 std::string_view label) {
   Atlas atlas;
-  for (const Json& region : json.at("regions")) {
-    if (has_pictures(region, folder)) atlas.entries.push_back(entry_of(region, folder));
+  const LoadResult result = load_checkpoint(
+      text, atlas_keys(), [&](const Json& json) { atlas = atlas_from(json, folder); });
+  if (result.loaded()) return atlas;
+  if (result.field.empty()) {
+    throw Error(fmt::format("{} is not an atlas ({}); remove it, or give another folder", label,
+                            result.found));
   }
-  for (const Json& e : json.at("energies")) {
-    const auto angle = [&](const char* key) {
-      return e.at(key).is_null() ? -1 : e.at(key).get<double>();
-    };
-    atlas.energies.push_back(
-        {e.at("term"), e.at("most"), angle("at_degrees"), angle("above_degrees")});
-  }
-  return atlas;
-} catch (const nlohmann::json::exception& e) {
-  throw Error(
-      fmt::format("{} is no atlas ({}); remove it, or give another folder", label, e.what()));
+  throw Error(fmt::format("{} is by lumaknot {} and this is {}; remove it, or give another folder",
+                          label, result.found, version()));
 }
 
 }  // namespace lumaknot

@@ -1,13 +1,13 @@
-// Colours that leave the gamut, and the way into YIQ and back.
+// Colours that leave the gamut, and the conversion to YIQ and back.
 #include <algorithm>
 #include <array>
 #include <numbers>
 
 #include "scene/angle.h"
 #include "scene/fields.h"
-#include "shaders/matrix3.h"
+#include "shaders/spaces/matrix3.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot {
 namespace {
@@ -58,8 +58,7 @@ bool is_outside(const Vec3d& c) {
   return std::min({c.x, c.y, c.z}) < -kRounding || largest_component(c) > 1 + kRounding;
 }
 
-/// The chroma of what the eye should see: as much as the colour has, times the light, as a surface
-/// answers it.
+/// The chroma beyond what the eye should see: the colour's own times the light, as from a surface.
 double chroma_excess(const Vec3d& before, const Vec3d& after, double light) {
   return chroma_of(after).size() - chroma_of(before).size() * light;
 }
@@ -168,7 +167,7 @@ Matrix3 product(const Matrix3& a, const Matrix3& b) {
   return {{row(a.rows[0]), row(a.rows[1]), row(a.rows[2])}};
 }
 
-/// W M as the formulas have them.
+/// W M as in the formulas.
 Matrix3 round_trip() {
   const auto column = [](const Vec3d& e) { return rgb_from_yiq(yiq_from_rgb<double>(e)); };
   const Vec3d x = column({1, 0, 0}), y = column({0, 1, 0}), z = column({0, 0, 1});
@@ -209,7 +208,7 @@ Region yiq_round_trip() {
     m.form = Form::kCollapsed;
     double largest = 0;
     for (const Vec3d& rgb : cube()) {
-      const Vec3d d = lit(rgb, 1, m) - rgb;  // the same every pass
+      const Vec3d d = lit(rgb, 1, m) - rgb;  // equal in every pass
       largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
     }
     return largest;

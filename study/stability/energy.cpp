@@ -25,19 +25,19 @@ double reflected_share(const Term& term, double incidence) {
 
 Energy energy_of(std::string name, const Term& term) {
   Energy energy{std::move(name)};
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int degrees = 0; degrees <= 89; ++degrees) {
     const double share = reflected_share(term, degrees * std::numbers::pi / 180);
-    if (share > energy.most) {
-      energy.most = share;
+    if (share > energy.max) {
+      energy.max = share;
       energy.at_degrees = degrees;
     }
-    least = std::min(least, share);
+    min = std::min(min, share);
     constexpr double kIntegration = 1e-3;
     if (share > 1 + kIntegration && energy.above_degrees < 0) energy.above_degrees = degrees;
   }
   constexpr double kRounding = 1e-9;  // of the integral's 25600 terms
-  if (energy.most - least <= kRounding * energy.most) energy.at_degrees = -1;
+  if (energy.max - min <= kRounding * energy.max) energy.at_degrees = -1;
   return energy;
 }
 

@@ -1,11 +1,11 @@
-/// How much of the light that arrives a lighting model sends back.
+/// How much of the arriving light a lighting model reflects.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "shaders/terms.h"
+#include "shaders/formulas/models.h"
 
 namespace lumaknot {
 
@@ -18,18 +18,19 @@ using Term = std::function<double(const Directions<double>&)>;
 /// terms here, 5e-3 where one is infinite at the horizon.
 double reflected_share(const Term& term, double incidence);
 
-/// The most that a term reflects, over incidences from 0 to 89 degrees.
+/// The largest share that a term reflects, over incidences from 0 to 89 degrees.
 struct Energy {
   std::string term;           ///< its name and numbers
-  double most = 0;            ///< the share
-  double at_degrees = 0;      ///< the incidence; negative: the same at all
-  double above_degrees = -1;  ///< from which incidence on it is above 1; negative: never
+  double max = 0;             ///< the share
+  double at_degrees = 0;      ///< the incidence; negative: all are equal
+  double above_degrees = -1;  ///< the incidence from which it is above 1; negative: never
 };
 
-/// The most that `term` reflects, called `name`.
+/// The largest share that `term`, called `name`, reflects.
 Energy energy_of(std::string name, const Term& term);
 
-/// Every model's diffuse and specular term, by the numbers of the default material and at the ends.
+/// Every model's diffuse and specular term, with the numbers of the default material and at their
+/// limits.
 std::vector<Energy> energies();
 
 }  // namespace lumaknot

@@ -1,17 +1,17 @@
-// Models that send back more light than they get.
+// Models that reflect more light than they get.
 #include <algorithm>
 
 #include "scene/angle.h"
 #include "study/stability/energy.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot {
 namespace {
 
-/// The knot as a furnace would show it: each point as bright as the share that the term sends back
-/// at its n.v, up to `most` degrees; red where that is above 1.
-Image draw_furnace(const Term& term, int side, double most = 90) {
+/// The knot as a furnace would show it: each point as bright as the share that the term reflects at
+/// its n.v, up to `most` degrees; red where that is above 1.
+Image draw_furnace(const Term& term, int side, double max = 90) {
   std::vector<double> shares;
   for (int degrees = 0; degrees <= 89; ++degrees) {
     shares.push_back(reflected_share(term, degrees * kDegree));
@@ -20,7 +20,7 @@ Image draw_furnace(const Term& term, int side, double most = 90) {
   return shade_each(scene, side, [&](const Fragment& f) {
     const double cosine = dot(unit(f.normal), unit(scene.view.camera.position - f.position));
     const double degrees = std::acos(std::clamp(cosine, 0.0, 1.0)) / kDegree;
-    if (degrees > most) return Vec3d{};
+    if (degrees > max) return Vec3d{};
     const double share = shares[std::size_t(std::min(degrees, 89.0))];
     constexpr double kIntegration = 1e-3;
     return share > 1 + kIntegration ? Vec3d{1, 0, 0} : grey(0.8 * share);
@@ -44,7 +44,7 @@ Region energy(std::string name, std::string method) {
   return region;
 }
 
-/// Highlights that nothing weakens as the light falls in flat.
+/// Highlights that nothing weakens at grazing incidence.
 Region flat_light(std::string name, std::string method, Model model) {
   constexpr double kShininess = 10;
   Region region = energy(std::move(name), std::move(method));

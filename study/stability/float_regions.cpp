@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr double kLevel = 1.0 / 255;  // one of 8 bits
 
-/// Every length of the scene times what is swept, lit in float.
+/// Every length of the scene times the swept value, lit in float.
 Region scaled(double to) {
   Region region;
   region.group = "Single precision";
@@ -57,8 +57,8 @@ Region tiny_coordinates() {
   return region;
 }
 
-/// The knot and its camera moved by `offset` in x, y and z; vertices as float or as double has
-/// them.
+/// The knot and its camera moved by `offset` in x, y and z; vertices in float or in
+/// double.
 Scene moved(double offset, bool in_float) {
   Scene scene = knot_scene(Material{});
   const Vec3d by{offset, offset, offset};
@@ -108,7 +108,7 @@ Scene in_spot(double edge_degrees) {
   return scene;
 }
 
-/// What arrives at the angle `degrees` from the axis of the spot, in S.
+/// The light that arrives at `degrees` from the axis of the spot, in S.
 template <class S>
 double spot_light(const Scene& scene, double degrees) {
   const LightNumbers<S> light = lighting_of<S>(scene.view, Material{}).lights.front();

@@ -1,16 +1,16 @@
-// How rings stand along the centre line.
+// The orientation of rings along the centre line.
 #include <limits>
 
 #include "meshgen/frames.h"
 #include "scene/angle.h"
-#include "scene/error.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kSideDegrees = 360.0 / 40;  // degrees that a side of figure2's tube takes
+constexpr double kSideDegrees = 360.0 / 40;  // degrees per side of figure2's tube
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Spine spine_of(const KnotSpec& knot) { return Spine(components(knot).front()); }
@@ -20,8 +20,8 @@ std::vector<Frame> frames_of(const KnotSpec& knot) {
   return ring_frames(spine, knot.frames, spine.arc_lengths(knot.segments));
 }
 
-/// The most that a frame turns about the centre line to the next ring, in degrees; infinite where
-/// the rule leaves it undefined.
+/// The largest turn of a frame about the centre line to the next ring, in degrees; infinite if the
+/// rule leaves it undefined.
 double largest_turn(const KnotSpec& knot) try {
   const std::vector<Frame> frames = frames_of(knot);
   double largest = 0;
@@ -40,17 +40,17 @@ Scene inner_view(const KnotSpec& knot) {
   return scene;
 }
 
-/// The default knot with another winding radius and frames.
-KnotSpec wound(double winding_radius, FrameRule frames, double tube_radius = 0.12) {
+/// The default knot with another minor radius and frames.
+KnotSpec wound(double minor_radius, FrameRule frames, double tube_radius = 0.12) {
   KnotSpec knot = sketch_knot();
   knot.segments = 768;
-  knot.winding_radius = winding_radius;
+  knot.minor_radius = minor_radius;
   knot.tube_radius = tube_radius;
   knot.frames = frames;
   return knot;
 }
 
-/// A frame rule that turns too fast as the winding radius changes.
+/// A frame rule that turns too fast as the minor radius changes.
 Region turning(FrameRule rule) {
   const auto turn = [](FrameRule frames) {
     return [frames](double w) { return largest_turn(wound(w, frames)); };
@@ -106,7 +106,7 @@ Region fixed_up_vertical() {
 
 Frame turned(const Frame& f, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  return {f.position, f.tangent, f.across * c + f.over * s, f.over * c - f.across * s};
+  return {f.position, f.tangent, f.normal * c + f.binormal * s, f.binormal * c - f.normal * s};
 }
 
 /// The knot's frames without what closes the loop: each turned back by its share of the twist.
@@ -121,10 +121,10 @@ std::vector<Frame> unclosed_frames(const KnotSpec& knot) {
   return frames;
 }
 
-/// The angle between the first frame and the last, which stand at one place, in degrees.
+/// The angle between the first frame and the last, which are at one place, in degrees.
 double gap(const std::vector<Frame>& frames) {
   const Frame &a = frames.front(), &b = frames.back();
-  return std::abs(std::atan2(dot(b.across, a.over), dot(b.across, a.across))) * kDegrees;
+  return std::abs(std::atan2(dot(b.normal, a.binormal), dot(b.normal, a.normal))) * kDegrees;
 }
 
 /// A tube with given frames, seen where its ends meet.
@@ -169,13 +169,13 @@ double angle_between(const Vec3d& a, const Vec3d& b) {
   return std::atan2(length(cross(a, b)), dot(a, b)) * kDegrees;
 }
 
-/// The largest angle between a ring's plane and the one across the centre line, in degrees.
+/// The largest angle between a ring's plane and the one normal to the centre line, in degrees.
 double largest_tilt(const KnotSpec& knot, const std::vector<Frame>& frames) {
   const Curve curve = components(knot).front();
   double largest = 0;
   for (int i = 0; i <= knot.segments; ++i) {
     const Vec3d tangent = curve_point(curve, ring_parameter(i, knot.segments)).first;
-    const Vec3d across = cross(frames[std::size_t(i)].across, frames[std::size_t(i)].over);
+    const Vec3d across = cross(frames[std::size_t(i)].normal, frames[std::size_t(i)].binormal);
     largest = std::max(largest,
                        std::min(angle_between(across, tangent), angle_between(-across, tangent)));
   }
@@ -223,7 +223,7 @@ Region difference_frames() {
 
 Vec3d in_float(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
-/// The exact frames, their rings across the difference of two points h apart, as float has them.
+/// The exact frames, their rings normal to the difference of two points h apart, in float.
 std::vector<Frame> tilted_frames(const KnotSpec& knot, double h) {
   const Curve curve = components(knot).front();
   std::vector<Frame> frames = frames_of(knot);
@@ -233,8 +233,8 @@ std::vector<Frame> tilted_frames(const KnotSpec& knot, double h) {
         in_float(curve_point(curve, t + h).position) - in_float(curve_point(curve, t).position);
     Frame& frame = frames[std::size_t(i)];
     frame.tangent = normalize(step);
-    frame.across = normalize(frame.across - frame.tangent * dot(frame.across, frame.tangent));
-    frame.over = cross(frame.across, frame.tangent);
+    frame.normal = normalize(frame.normal - frame.tangent * dot(frame.normal, frame.tangent));
+    frame.binormal = cross(frame.normal, frame.tangent);
   }
   return frames;
 }

@@ -5,7 +5,7 @@
 
 #include "meshgen/clearance.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 #include "study/stability/tube_measures.h"
 
 namespace lumaknot {
@@ -91,7 +91,7 @@ Region strands_touch() {
 
 constexpr double kChordLimit = 0.1;
 
-/// A region of grids that are too coarse, its knot by what is swept.
+/// A region of grids that are too coarse, its knot given by the swept value.
 Region coarse(std::function<KnotSpec(double)> knot, std::function<KnotSpec(double)> fine) {
   Region region;
   region.group = "Tubes and grids";
@@ -111,7 +111,7 @@ Region coarse(std::function<KnotSpec(double)> knot, std::function<KnotSpec(doubl
   return region;
 }
 
-/// Windings in one loop, whatever their number.
+/// Windings in one loop, for any number of them.
 KnotSpec unknot(int q, int segments) {
   KnotSpec knot = winding(q, segments, 0.03);
   knot.p = 1;
@@ -240,7 +240,7 @@ Region unnormalised_normal() {
 
 Region light_at_vertices() {
   Material gouraud;
-  gouraud.rate = Rate::kVertex;
+  gouraud.rate = ShadingFrequency::kVertex;
   Region region = shading_on_sides(gouraud, Material{});
   region.name = "light-at-vertices";
   region.method = "light computed at vertices and interpolated (Gouraud)";

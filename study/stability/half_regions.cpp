@@ -1,10 +1,10 @@
-// Half precision, which `mediump` hardware may take.
+// Half precision, which hardware may use for `mediump`.
 #include <algorithm>
 
-#include "shaders/half.h"
+#include "shaders/graph/half.h"
 #include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot {
 namespace {
@@ -106,7 +106,7 @@ Region half_near() {
   return region;
 }
 
-/// What arrives of an inverse-square light of intensity 1 at a distance, in S.
+/// The light that arrives from an inverse-square light of intensity 1 at a distance, in S.
 template <class S>
 double inverse_square(double distance) {
   LightNumbers<S> light;
@@ -122,8 +122,8 @@ double falloff_error(double distance) {
   return std::abs(inverse_square<S>(distance) * distance * distance - 1);
 }
 
-/// The knot lit as if each point's light had come `scale` times as far, its falloff in S, and what
-/// it lost undone: right is the picture at scale 1.
+/// The knot lit as if each point's light had come `scale` times as far, its falloff in S, and the
+/// loss undone: correct is the picture at scale 1.
 template <class S>
 Image draw_falloff(double scale, int side) {
   Scene scene = knot_scene(Material{});
@@ -184,7 +184,7 @@ Region half_dark(std::string_view name, std::string_view space, std::string_view
   return region;
 }
 
-/// What n passes of M and W in half make of the RGB cube's corners, against what went in.
+/// The change of the RGB cube's corners by n passes of M and W in half.
 double half_passes(double passes) {
   double largest = 0;
   for (int corner = 0; corner < 8; ++corner) {

@@ -1,10 +1,10 @@
-/// How far a number type is from the highlight that it should compute.
+/// The error of a number type's highlight.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/terms.h"
+#include "shaders/formulas/models.h"
 
 namespace lumaknot {
 

@@ -6,13 +6,13 @@
 #include "scene/angle.h"
 #include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
 namespace lumaknot {
 namespace {
 
-/// The knot with its highlight alone.
+/// The knot with only its highlight.
 Scene highlight_scene(Model model, double shininess) {
   Material m;
   m.model = model;
@@ -39,9 +39,9 @@ double highlight_beyond(Model model, double shininess, double degrees) {
 double jump(Model model, double shininess) {
   constexpr double kStep = 0.5;
   const auto f = [&](int steps) { return highlight_beyond(model, shininess, kStep * steps); };
-  const auto [least, most] =
+  const auto [min, max] =
       std::minmax({f(-2) - 2 * f(-1) + f(0), f(-1) - 2 * f(0) + f(1), f(0) - 2 * f(1) + f(2)});
-  return (most - least) / std::pow(kStep * kDegree, 2);
+  return (max - min) / std::pow(kStep * kDegree, 2);
 }
 
 Region phong_cutoff() {
@@ -67,7 +67,7 @@ Region phong_cutoff() {
   return region;
 }
 
-/// The highlight alone of a light `degrees` about the axis from the eye.
+/// Only the highlight of a light `degrees` about the axis from the eye.
 Scene lit_from(double degrees, Highlights highlights) {
   Scene scene = highlight_scene(Model::kPhong, 5);
   scene.view.material.highlights = highlights;
@@ -77,7 +77,7 @@ Scene lit_from(double degrees, Highlights highlights) {
   return scene;
 }
 
-/// Whether the surface looks away from the light.
+/// Whether the surface faces away from the light.
 bool is_behind(const Scene& scene, const Fragment& f) {
   return dot(f.normal, std::get<PointLight>(scene.view.lights.front()).position - f.position) <= 0;
 }
@@ -154,7 +154,7 @@ Region shininess_zero() {
   return region;
 }
 
-/// The highlight alone, its power in float by `power`.
+/// Only the highlight, its power computed in float by `power`.
 template <class Power>
 FragmentColor highlight_by(const Scene& scene, double shininess, Power power) {
   const Vec3d light = std::get<PointLight>(scene.view.lights.front()).position;
@@ -221,7 +221,7 @@ Region shininess_float() {
   return region;
 }
 
-/// The mean highlight of the picture at n x n samples a pixel.
+/// The mean highlight of the picture at n x n samples per pixel.
 double mean_highlight(double shininess, int samples) {
   constexpr int kSide = 64;
   Scene scene = highlight_scene(Model::kPhong, shininess);

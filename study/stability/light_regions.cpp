@@ -1,12 +1,12 @@
-// Where lights and eyes are.
+// The positions of lights and eyes.
 #include <algorithm>
 #include <numbers>
 
 #include "meshgen/spine.h"
-#include "render/fast_renderer.h"
+#include "render/fast/renderer.h"
 #include "scene/angle.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
 namespace lumaknot {
@@ -96,8 +96,8 @@ Directions<float> seen_at(double cosine) {
   return {{0, 0, 1}, {s, 0, c}, {s, 0, c}, c};
 }
 
-/// The knot in the light of a lamp at the eye, its diffuse term by `diffuse`; the picture is where
-/// n.v is above `cosine`.
+/// The knot in the light of a lamp at the eye, its diffuse term by `diffuse`, drawn where n.v is
+/// above `cosine`.
 template <class Diffuse>
 Image draw_head_lamp(double cosine, int side, Diffuse diffuse) {
   const Scene scene = knot_scene(Material{});
@@ -184,7 +184,7 @@ Region light_at_infinity() {
   return region;
 }
 
-/// The unit vector of l + v in S, l being `angle` from opposite to v towards `across`.
+/// The unit vector of l + v in S, where l is `angle` from opposite to v towards `across`.
 template <class S>
 Vec3d half_way(const Vec3d& v, const Vec3d& across, double angle) {
   const Vec3d l = across * std::sin(angle) - v * std::cos(angle);
@@ -192,8 +192,8 @@ Vec3d half_way(const Vec3d& v, const Vec3d& across, double angle) {
   return {double(h.x), double(h.y), double(h.z)};
 }
 
-/// How far h = l + v in S is from what it is in double, in degrees: l nearly opposite to v, some
-/// ways round it.
+/// How far h = l + v in S is from what it is in double, in degrees: l nearly opposite to v, in
+/// several directions around it.
 template <class S>
 double half_way_error(double angle) {
   constexpr int kWays = 24;
@@ -218,7 +218,7 @@ Image draw_lit_from_behind(double angle, int side) {
     const Vec3d v = normalize(scene.view.camera.position - f.position);
     const Vec3d across = normalize(cross(v, Vec3d{0, 1, 0.3}));
     const double cosine = dot(normalize(f.normal), half_way<S>(v, across, angle));
-    return grey(cosine > 0 ? std::pow(cosine, 8) : cosine * 0);  // no number stays none
+    return grey(cosine > 0 ? std::pow(cosine, 8) : cosine * 0);  // NaN stays NaN
   });
 }
 

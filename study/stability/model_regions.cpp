@@ -1,10 +1,10 @@
-// Models of surfaces that divide.
+// Surface models with a division.
 #include <algorithm>
 #include <array>
 
 #include "scene/angle.h"
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
 namespace lumaknot {

@@ -40,7 +40,7 @@ std::vector<SweepInterval> stretches(const std::vector<Measured>& sweep, double 
 
 namespace {
 
-/// The value half way, or one of the two when they are neighbours.
+/// The value half way, or one of the two if they are neighbours.
 double middle(const Sweep& sweep, double a, double b) {
   if (sweep.whole) {
     const double rounded = std::floor((a + b) / 2);

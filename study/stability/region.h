@@ -1,4 +1,4 @@
-/// A place where a method breaks: what is swept, what is measured, and where it goes wrong.
+/// A region where a method fails: what is swept, what is measured, and where it fails.
 #pragma once
 
 #include <functional>
@@ -18,18 +18,18 @@ struct Sweep {
   bool whole = false;        ///< whole numbers only
 };
 
-/// What a method or its remedy comes to at a value of the swept parameter.
+/// The error of a method or its remedy at a value of the swept parameter.
 using Measurement = std::function<double(double x)>;
-/// A picture of it, side x side pixels. Pixels that are no numbers stay so.
+/// A picture of it, side x side pixels. Pixels that are not numbers stay so.
 using Sketch = std::function<Image(double x, int side)>;
 
-/// Another quantity that is told beside the error.
+/// Another quantity that is reported next to the error.
 struct Quantity {
   std::string name;  ///< with its unit
   Measurement measure;
 };
 
-/// A method and where it fails: where its error is above `limit`, or no number.
+/// A method and where it fails: where its error is above `limit`, or not a number.
 struct Region {
   std::string name;   ///< letters, digits and '-'
   std::string group;  ///< the chapter of the page
@@ -38,12 +38,11 @@ struct Region {
   std::string measured;  ///< what the error is, with its unit
   double limit = 0;
   Measurement error;
-  Measurement
-      guarded;  ///< the error of the remedy, or nothing where it refuses or changes the question
-  std::vector<Quantity> also;     ///< told at the values that are shown
-  Sketch sketch, guarded_sketch;  ///< or nothing
+  Measurement guarded;  ///< the error of the remedy; empty if it refuses or changes the question
+  std::vector<Quantity> also;     ///< reported at the values that are shown
+  Sketch sketch, guarded_sketch;  ///< may be empty
   std::function<std::string(double x)>
-      guarded_shows;  ///< what guarded_sketch draws where that is not the method's value
+      guarded_shows;  ///< what guarded_sketch draws, if not the method's value
   std::optional<double> shown_holds, shown_fails;  ///< where sketches are drawn; else the ends
 };
 
@@ -66,21 +65,20 @@ struct SweepInterval {
   double from = 0, to = 0;
 };
 
-/// The stretches of `sweep` whose errors are within `limit`, or the others when not `holding`.
+/// The intervals of `sweep` whose errors are within `limit`, or the others if not `holding`.
 std::vector<SweepInterval> stretches(const std::vector<Measured>& sweep, double limit,
                                      bool holding);
 
-/// Two neighbouring values between which the method breaks.
+/// Two neighbouring values between which the method starts to fail.
 struct Boundary {
   Measured holds, fails;
 };
 
-inline constexpr double kBoundaryTolerance = 1e-6;  ///< of the way; of whole numbers the next
+inline constexpr double kBoundaryTolerance = 1e-6;  ///< of the way; for whole numbers the next
 
-/// Where the method first breaks on its way along `sweep`, which are values of it in their order
-/// with their errors: the first that fails and its neighbour, brought together by bisection until
-/// they are neighbours or kBoundaryTolerance apart. Throws std::logic_error when the first value
-/// fails or none does.
+/// Where the method first fails along `sweep`, the swept values in their order with their errors:
+/// the first that fails and its neighbour, brought together by bisection until they are neighbours
+/// or kBoundaryTolerance apart. Throws std::logic_error if the first value fails or none does.
 Boundary find_boundary(const Region& region, const std::vector<Measured>& sweep);
 
 }  // namespace lumaknot

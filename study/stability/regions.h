@@ -1,4 +1,4 @@
-/// The regions, a file for each chapter.
+/// The regions, one file per chapter.
 #pragma once
 
 #include <vector>

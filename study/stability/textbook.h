@@ -1,15 +1,15 @@
-/// Formulas as textbooks print them, without the guards that ours have: what the atlas shows
-/// breaking. Nothing else may use them.
+/// Formulas as printed in textbooks, without the guards that ours have: the atlas shows them fail.
+/// Nothing else may use them.
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
-#include "shaders/terms.h"
+#include "shaders/formulas/models.h"
 
 namespace lumaknot::textbook {
 
-/// 2^(k log2 b), as graphics hardware computes pow(b, k): no number for 0^0.
+/// 2^(k log2 b), as graphics hardware computes pow(b, k): not a number for 0^0.
 template <class S>
 S power(S b, S k) {
   return std::exp2(k * std::log2(b));

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "study/stability/regions.h"
-#include "study/stability/sketch.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot {
 namespace {
@@ -28,7 +28,7 @@ Scene shared_seam(double sides) {
   return scene;
 }
 
-/// The share of pixels in triangles that most of the texture is squeezed into.
+/// The share of pixels in triangles that hold most of the texture.
 double squeezed(const Scene& scene) {
   const KnotSpec knot = sketch_knot();
   return share_of(scene, 96, [&](const Fragment& f) {
@@ -63,9 +63,9 @@ Region texture_seam() {
   return region;
 }
 
-constexpr double kTexels = 512;  // of the bricks, a side
+constexpr double kTexels = 512;  // of the bricks, per side
 
-/// Texture coordinate u moved on by whole tiles, as float has it.
+/// Texture coordinate u plus whole tiles, in float.
 double scrolled(double u, double tiles) { return double(float(u) + float(tiles)); }
 
 double scrolling_error(double tiles) {

@@ -21,10 +21,10 @@ double overlap(const KnotSpec& knot) {
         tube.at(ring_parameter(i / kSides, kRings), 2 * std::numbers::pi * (i % kSides) / kSides)
             .position;
     const auto square = [&](const CurvePoint& c) { return dot(c.position - x, c.position - x); };
-    const auto least = std::ranges::min_element(line, {}, square);
-    if (square(*least) > 1.1 * nearest * nearest) continue;
-    const double t = ring_parameter(int(least - line.begin()), kLines);
-    nearest = std::min(nearest, distance_near(curve, *least, t, x));
+    const auto min = std::ranges::min_element(line, {}, square);
+    if (square(*min) > 1.1 * nearest * nearest) continue;
+    const double t = ring_parameter(int(min - line.begin()), kLines);
+    nearest = std::min(nearest, distance_near(curve, *min, t, x));
   }
   return 1 - nearest / knot.tube_radius;
 }

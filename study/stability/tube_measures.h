@@ -1,12 +1,13 @@
-/// What is wrong with a tube.
+/// Errors of a tube.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 
 /// How deep the tube of the knot's first component reaches into itself, as a share of its radius:
-/// the most that one of 128 x 24 points of it is nearer to the centre line than the radius.
+/// the largest amount by which one of its 128 x 24 points is closer to the centre line than the
+/// radius.
 double overlap(const KnotSpec& knot);
 
 /// How far the grid's triangles are from the exact tube, as a share of its radius.

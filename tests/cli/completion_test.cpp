@@ -1,9 +1,9 @@
-// What the shells themselves make of the completion scripts.
+// The completion scripts, run by the shells themselves.
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "cli/commands.h"
+#include "cli/command_table.h"
 #include "scene/fields.h"
 #include "tests/cli/program_test.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Each prints, for each line of the file `lines`, the candidates for its last word and "@".
+/// Each driver prints, per line of the file `lines`, the candidates for its last word and "@".
 constexpr const char* kBashDriver = R"(
 source lumaknot.bash
 while IFS= read -r line; do
@@ -33,8 +33,8 @@ while read -l line
 end < lines
 )";
 
-/// zsh completes in an interactive shell of its own: all matches go into the line, then the line
-/// into a file, without the words before the last.
+/// zsh completes in a separate interactive shell: all matches are inserted into the line, and the
+/// line is written to a file, without the words before the last.
 constexpr const char* kZshDriver = R"(
 zmodload zsh/zpty
 zpty shell "TERM=dumb zsh -f -i"
@@ -71,13 +71,13 @@ class Completion : public Program {
     write("picture.png", "");
     fs::create_directory(path("folder"));
     for (const std::string shell : {"bash", "zsh", "fish"}) {
-      const Ended ended = lumaknot({"completion", shell});
-      EXPECT_EQ(ended.exit_code, 0);
-      write("lumaknot." + shell, ended.log);
+      const ProcessResult result = lumaknot({"completion", shell});
+      EXPECT_EQ(result.exit_code, 0);
+      write("lumaknot." + shell, result.log);
     }
   }
 
-  /// What `driver`, run by `shell`, finds for each line, sorted.
+  /// The sorted candidates that `driver`, run by `shell`, finds for each line.
   std::vector<Words> completed(const std::string& shell, const char* driver, const Words& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -88,8 +88,8 @@ class Completion : public Program {
     command.insert(command.end(), flags.begin(), flags.end());
     command.push_back("driver");
     fs::remove(path("found"));
-    const Ended ended = run_here(command, {});
-    std::istringstream log(ended.log);
+    const ProcessResult result = run_here(command, {});
+    std::istringstream log(result.log);
     std::vector<Words> all{{}};
     for (std::string line; std::getline(log, line);) {
       if (line == "@") {
@@ -101,11 +101,11 @@ class Completion : public Program {
       }
     }
     all.pop_back();
-    EXPECT_EQ(all.size(), lines.size()) << ended.log;
+    EXPECT_EQ(all.size(), lines.size()) << result.log;
     return all;
   }
 
-  /// Lines that complete alike in every shell.
+  /// Checks lines that complete alike in every shell.
   void expect_completes(const std::string& shell, const char* driver) {
     const std::vector<std::pair<std::string, Words>> cases{
         {"lumaknot comp", {"completion"}},
@@ -141,7 +141,7 @@ class Completion : public Program {
     }
   }
 
-  /// Every choice of every flag of every command.
+  /// Checks every choice of every flag of every command.
   void expect_knows_every_choice(const std::string& shell, const char* driver) {
     Words lines;
     std::vector<Words> expected;
@@ -167,33 +167,36 @@ TEST_F(Completion, bash_completes_commands_flags_and_values) {
   expect_knows_every_choice("bash", kBashDriver);
 }
 
-TEST_F(Completion, bash_completes_a_value_after_an_equals_sign) {  // which is a word of its own
+TEST_F(Completion, bash_completes_a_value_after_an_equals_sign) {  // which is a separate word
   const std::vector<Words> all = completed(
       "bash", kBashDriver, {"lumaknot mesh --convention = t", "lumaknot mesh --unwrap ="});
   EXPECT_EQ(all, (std::vector<Words>{{"three"}, {"arc-length", "parameter"}}));
 }
 
-TEST_F(Completion, bash_leaves_out_what_a_list_holds) {
+TEST_F(Completion, bash_omits_what_a_list_already_holds) {
   const std::vector<Words> all =
       completed("bash", kBashDriver, {"lumaknot chart --space yiq,cielab,yi"});
   EXPECT_EQ(all, (std::vector<Words>{{}}));
 }
 
 TEST_F(Completion, fish_completes_commands_flags_and_values) {
-  if (find_program("fish").empty()) GTEST_SKIP() << "fish not found; apt-get install fish";
+  if (find_program("fish").empty())
+    GTEST_SKIP() << "fish not found; install with apt-get install fish";
   expect_completes("fish", kFishDriver);
   expect_knows_every_choice("fish", kFishDriver);
 }
 
 TEST_F(Completion, zsh_completes_commands_flags_and_values_when_sourced) {
-  if (find_program("zsh").empty()) GTEST_SKIP() << "zsh not found; apt-get install zsh";
+  if (find_program("zsh").empty())
+    GTEST_SKIP() << "zsh not found; install with apt-get install zsh";
   write("setup",
         "autoload -Uz compinit; compinit -u -D\nsource ./lumaknot.zsh" + std::string(kZshSetup));
   expect_completes("zsh", kZshDriver);
 }
 
-TEST_F(Completion, zsh_finds_the_script_in_its_path_of_functions) {
-  if (find_program("zsh").empty()) GTEST_SKIP() << "zsh not found; apt-get install zsh";
+TEST_F(Completion, zsh_finds_the_script_in_fpath) {
+  if (find_program("zsh").empty())
+    GTEST_SKIP() << "zsh not found; install with apt-get install zsh";
   fs::rename(path("lumaknot.zsh"), path("folder/_lumaknot"));
   write("setup", "fpath=($PWD/folder $fpath); autoload -Uz compinit; compinit -u -D" +
                      std::string(kZshSetup));

@@ -1,11 +1,11 @@
-// The help and the manual pages of every command, as they are made from the commands' data.
-#include "cli/help.h"
+// The help and manual pages of every command, built from the commands' data.
+#include "cli/describe/help.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "cli/commands.h"
+#include "cli/command_table.h"
 #include "cli/parser.h"
 #include "tests/cli/program_test.h"
 
@@ -21,7 +21,7 @@ class Help : public Program {
  protected:
   const std::vector<Subcommand> commands_ = all_commands();
 
-  Ended lumaknot_at(const std::string& columns, std::vector<std::string> arguments) {
+  ProcessResult lumaknot_at(const std::string& columns, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LUMAKNOT_PROGRAM);
     std::vector<std::string> environment = sanitizer_options();
     environment.push_back("COLUMNS=" + columns);
@@ -49,7 +49,7 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-/// The arguments of the program that a shell's line runs, as "source <(lumaknot completion bash)".
+/// The arguments with which a shell line runs the program: "source <(lumaknot completion bash)".
 std::vector<std::string> arguments_of(std::string_view line) {
   constexpr std::string_view kProgramName = "lumaknot ";
   line.remove_prefix(std::min(line.size(), line.find(kProgramName) + kProgramName.size()));
@@ -58,32 +58,33 @@ std::vector<std::string> arguments_of(std::string_view line) {
 
 TEST_F(Help, every_file_of_a_command_is_in_the_table) {
   std::vector<std::string> files, names;
-  for (const auto& entry : fs::directory_iterator(fs::path(LUMAKNOT_SOURCE_DIR) / "cli")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(LUMAKNOT_SOURCE_DIR) / "cli/commands")) {
     const std::string stem = entry.path().stem().string();
-    const std::size_t end = stem.find("_command");
-    if (entry.path().extension() == ".cpp" && end != stem.npos)
-      files.push_back(stem.substr(0, end));
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = read_file(entry.path(), stem);
+    if (text.find("Subcommand " + stem + "_command()") != text.npos) files.push_back(stem);
   }
   for (const Subcommand& command : commands_) names.emplace_back(command.name);
   std::ranges::sort(files);
   std::ranges::sort(names);
-  EXPECT_EQ(files, names) << "a command is missing in kCommands of cli/commands.cpp";
+  EXPECT_EQ(files, names) << "a command is missing in kCommands of cli/command_table.cpp";
 }
 
-TEST_F(Help, of_every_command_names_its_flags_and_has_examples) {
+TEST_F(Help, of_every_command_lists_its_flags_and_has_examples) {
   for (const Subcommand& command : commands_) {
-    const Ended ended = lumaknot({std::string(command.name), "--help"});
-    EXPECT_EQ(ended.exit_code, 0);
-    EXPECT_THAT(ended.log, AllOf(StartsWith(std::string(command.about)), HasSubstr("\nExamples:\n"),
-                                 HasSubstr("lumaknot " + std::string(command.name))));
+    const ProcessResult result = lumaknot({std::string(command.name), "--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.log,
+                AllOf(StartsWith(std::string(command.about)), HasSubstr("\nExamples:\n"),
+                      HasSubstr("lumaknot " + std::string(command.name))));
     for (const Argument& argument : command.arguments) {
-      EXPECT_THAT(ended.log, HasSubstr("  " + label(argument)));
+      EXPECT_THAT(result.log, HasSubstr("  " + label(argument)));
       EXPECT_FALSE(argument.meaning.empty()) << command.name << " " << argument.names;
     }
   }
 }
 
-TEST_F(Help, of_the_program_names_every_command_under_what_it_is_for) {
+TEST_F(Help, of_the_program_lists_every_command_by_purpose) {
   const std::string help = lumaknot({"--help"}).log;
   for (const Subcommand& command : commands_) {
     const auto row = HasSubstr("\n  " + std::string(command.name) + " ");
@@ -96,7 +97,7 @@ TEST_F(Help, of_the_program_names_every_command_under_what_it_is_for) {
   for (const auto& [group, title] : kGroups) EXPECT_THAT(help, HasSubstr(title));
 }
 
-TEST_F(Help, keeps_to_the_width) {
+TEST_F(Help, fits_the_width) {
   for (const int width : {40, 60, 80, 100}) {
     EXPECT_LE(longest_line(program_help(program_command(), commands_, width)), width);
     for (const Subcommand& command : commands_) {
@@ -111,22 +112,24 @@ TEST_F(Help, is_as_wide_as_the_terminal_but_never_above_100_columns) {
   EXPECT_EQ(lumaknot_at("wide", {"mesh", "--help"}).log, command_help(mesh_command(), 80));
   EXPECT_LE(longest_line(lumaknot_at("250", {"--help"}).log), 100u);
   for (const Subcommand& command : commands_) {
-    const Ended ended = lumaknot_at("250", {std::string(command.name), "--help"});
-    EXPECT_LE(longest_line(ended.log), 100u) << ended.log;
+    const ProcessResult result = lumaknot_at("250", {std::string(command.name), "--help"});
+    EXPECT_LE(longest_line(result.log), 100u) << result.log;
   }
 }
 
-TEST_F(Help, shows_choices_ranges_defaults_and_what_goes_together) {
+TEST_F(Help, shows_choices_ranges_defaults_and_dependencies) {
   const std::string render = one_line(command_help(render_command(), 100));
-  EXPECT_THAT(render, AllOf(HasSubstr("-o, --output FILE"), HasSubstr("(16 bits) [required]"),
-                            HasSubstr("[bilinear, trilinear; default: bilinear; with --fast]"),
-                            HasSubstr("[0 to 1024; default: 0; with --fast]"),
-                            HasSubstr("--truth [MODE]"), HasSubstr("not with --fast]")));
+  EXPECT_THAT(
+      render,
+      AllOf(HasSubstr("-o, --output FILE"), HasSubstr("(16 bits) [required]"),
+            HasSubstr("Texture filter [bilinear, trilinear; default: bilinear; needs --fast]"),
+            HasSubstr("[0 to 1024; default: 0; needs --fast]"), HasSubstr("--truth [MODE]"),
+            HasSubstr("not with --fast]")));
   EXPECT_THAT(command_help(bench_command(), 100), HasSubstr("--samples N,..."));
   EXPECT_THAT(one_line(command_help(mesh_command(), 100)), HasSubstr("[above 0; default: 0.18]"));
 }
 
-TEST_F(Help, its_examples_are_understood) {
+TEST_F(Help, examples_are_parsed) {
   std::vector<Subcommand> all = commands_;
   all.push_back(program_command());
   for (const Subcommand& command : all) {
@@ -145,7 +148,7 @@ TEST_F(Help, its_examples_are_understood) {
 TEST_F(Help, an_unknown_flag_of_any_command_is_refused_in_one_line) {
   for (const Subcommand& command : commands_) {
     std::vector<std::string> arguments{std::string(command.name), "--no-such-flag"};
-    for (const Argument& argument : command.arguments) {  // what is missing is reported first
+    for (const Argument& argument : command.arguments) {  // missing arguments are reported first
       if (!argument.required) continue;
       if (!is_positional(argument)) arguments.push_back(names_of(argument).front());
       arguments.push_back(argument.choices.empty() ? "out" : argument.choices.front());
@@ -155,7 +158,7 @@ TEST_F(Help, an_unknown_flag_of_any_command_is_refused_in_one_line) {
   EXPECT_THAT(files(), ::testing::IsEmpty());
 }
 
-TEST_F(Help, every_command_has_a_manual_page_of_the_same_bytes_each_time) {
+TEST_F(Help, every_command_has_a_reproducible_manual_page) {
   ASSERT_EQ(lumaknot({"man", "-o", "one"}).exit_code, 0);
   ASSERT_EQ(lumaknot({"man", "-o", "two"}).exit_code, 0);
   std::vector<std::string> expected{"lumaknot.1"}, pages;
@@ -180,11 +183,11 @@ TEST_F(Help, man_finds_no_fault_with_the_pages) {
   if (man.empty()) GTEST_SKIP() << "man not found; install with apt-get install man-db";
   ASSERT_EQ(lumaknot({"man", "-o", "pages"}).exit_code, 0);
   for (const auto& entry : fs::directory_iterator(path("pages"))) {
-    const Ended ended = run_here({man.string(), "--warnings", "-l", entry.path().string()},
-                                 {"MANWIDTH=80", "MANPAGER=cat"});
-    EXPECT_EQ(ended.exit_code, 0) << ended.log;
-    EXPECT_THAT(ended.log, AllOf(HasSubstr("SYNOPSIS"), HasSubstr("EXAMPLES"),
-                                 ::testing::Not(HasSubstr("warning"))));
+    const ProcessResult result = run_here({man.string(), "--warnings", "-l", entry.path().string()},
+                                          {"MANWIDTH=80", "MANPAGER=cat"});
+    EXPECT_EQ(result.exit_code, 0) << result.log;
+    EXPECT_THAT(result.log, AllOf(HasSubstr("SYNOPSIS"), HasSubstr("EXAMPLES"),
+                                  ::testing::Not(HasSubstr("warning"))));
   }
 }
 

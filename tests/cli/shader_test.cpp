@@ -1,12 +1,12 @@
-// `lumaknot shader` as a user meets it.
+// `lumaknot shader` as a user sees it.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
 #include "scene/presets.h"
-#include "shaders/emit.h"
+#include "shaders/languages/emit.h"
+#include "system/error.h"
 #include "tests/cli/program_test.h"
 
 namespace lumaknot {
@@ -18,8 +18,8 @@ using ::testing::Not;
 using ShaderCommand = Program;
 
 TEST_F(ShaderCommand, writes_both_stages_and_the_parameters) {
-  const Ended ended = lumaknot({"shader", "yiq-phong", "--lang", "glsl-330", "-o", "out"});
-  EXPECT_EQ(ended.exit_code, 0) << ended.log;
+  const ProcessResult result = lumaknot({"shader", "yiq-phong", "--lang", "glsl-330", "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0) << result.log;
   EXPECT_TRUE(fs::exists(path("out/yiq-phong.vert")));
   EXPECT_THAT(read("out/yiq-phong.frag"), HasSubstr("#version 330 core"));
   const auto json = nlohmann::json::parse(read("out/parameters.json"));
@@ -30,15 +30,16 @@ TEST_F(ShaderCommand, writes_both_stages_and_the_parameters) {
   }
 }
 
-TEST_F(ShaderCommand, gives_each_of_several_languages_a_folder) {
+TEST_F(ShaderCommand, writes_each_of_several_languages_to_its_own_folder) {
   EXPECT_EQ(lumaknot({"shader", "yiq-phong", "-o", "out"}).exit_code, 0);
-  for (const LanguageInfo& info : kLanguages) {
-    EXPECT_TRUE(fs::exists(path("out") / info.name / "parameters.json")) << info.name;
+  for (const Language language : languages()) {
+    EXPECT_TRUE(fs::exists(path("out") / backend_of(language).name / "parameters.json"))
+        << backend_of(language).name;
   }
   EXPECT_TRUE(fs::exists(path("out/blender/lumaknot_nodes.py"))) << "the loader of the recipe";
 }
 
-TEST_F(ShaderCommand, emits_a_scene_with_nothing_that_it_does_not_need) {
+TEST_F(ShaderCommand, emits_only_what_a_scene_needs) {
   write("plain.json", R"({"texture": {"color": [0.2, 0.4, 0.6]},
                           "material": {"space": "yiq", "specular": 0}})");
   EXPECT_EQ(lumaknot({"shader", "--scene", "plain.json", "--lang", "glsl-330"}).exit_code, 0);
@@ -49,7 +50,7 @@ TEST_F(ShaderCommand, emits_a_scene_with_nothing_that_it_does_not_need) {
   }
 }
 
-TEST_F(ShaderCommand, keeps_every_number_on_demand) {
+TEST_F(ShaderCommand, keeps_every_number_on_request) {
   EXPECT_EQ(lumaknot({"shader", "rgb-phong", "--lang", "hlsl", "--all-parameters"}).exit_code, 0);
   const std::string text = read("rgb-phong.hlsl");
   for (const char* name : {"light_color", "light_quadratic", "emissive", "diffuse"}) {
@@ -67,7 +68,7 @@ TEST_F(ShaderCommand, refuses_unknown_names_and_lists_the_valid_ones) {
   EXPECT_THAT(files(), ::testing::IsEmpty());
 }
 
-TEST_F(ShaderCommand, names_the_missing_feature_and_the_nearest_thing) {
+TEST_F(ShaderCommand, reports_the_missing_feature_and_the_nearest_alternative) {
   for (const char* language : {"osl", "blender", "pov"}) {
     expect_refused({"shader", "yiq-phong", "--rate", "vertex", "--lang", language, "-o", "out"},
                    "the nearest is rate \"pixel\"");
@@ -77,10 +78,10 @@ TEST_F(ShaderCommand, names_the_missing_feature_and_the_nearest_thing) {
   EXPECT_EQ(files(), std::vector<std::string>{"vertex.json"});
 }
 
-TEST_F(ShaderCommand, leaves_out_of_all_what_a_language_can_not_express_and_says_so) {
-  const Ended ended = lumaknot({"shader", "yiq-phong", "--rate", "vertex", "-o", "out"});
-  EXPECT_EQ(ended.exit_code, 0);
-  EXPECT_THAT(ended.log, HasSubstr("osl has no vertex stage"));
+TEST_F(ShaderCommand, skips_and_reports_languages_of_all_that_cannot_express_the_shader) {
+  const ProcessResult result = lumaknot({"shader", "yiq-phong", "--rate", "vertex", "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.log, HasSubstr("osl has no vertex stage"));
   EXPECT_FALSE(fs::exists(path("out/osl")));
   EXPECT_TRUE(fs::exists(path("out/fx")));
 }
@@ -110,8 +111,9 @@ TEST_F(ShaderCommand, list_and_emission_agree) {
     ShaderJob job;
     job.name = entry["shader"];
     job.shot = {"final", Stage::kFinal, *with_formula(job.view.material, job.name)};
-    job.shot.material.rate = entry["rate"] == "vertex" ? Rate::kVertex : Rate::kPixel;
-    EXPECT_EQ(entry["languages"].size() + entry["impossible"].size(), kLanguages.size());
+    job.shot.material.rate =
+        entry["rate"] == "vertex" ? ShadingFrequency::kVertex : ShadingFrequency::kPixel;
+    EXPECT_EQ(entry["languages"].size() + entry["impossible"].size(), languages().size());
     for (const std::string name : entry["languages"]) {
       EXPECT_GE(emit(job, *language_of(name)).size(), 2u) << entry;
     }

@@ -1,4 +1,4 @@
-"""Builds the node groups of the recipes beside it twice, as a user may, and checks them.
+"""Builds the node groups of a folder's recipes twice, as a user may, and checks them.
 
 Runs inside Blender, in a folder that `lumaknot shader --lang blender` wrote to; argument after --:
 that folder. Prints one line; a defect is an exception.
@@ -13,11 +13,11 @@ import bpy
 
 FOLDER = sys.argv[sys.argv.index("--") + 1]
 sys.path.insert(0, FOLDER)
-import lumaknot_nodes  # noqa: E402  (it lies in the folder)
+import lumaknot_nodes  # noqa: E402  (it is in the folder)
 
 
 def interface(group, direction):
-    """The names and defaults of a group's inputs or outputs; None where there is no default."""
+    """The names and defaults of a group's inputs or outputs; None without a default."""
     if bpy.app.version < (4, 0):
         sockets = getattr(group, direction.lower() + "s")
     else:
@@ -26,12 +26,12 @@ def interface(group, direction):
 
 
 def plain(value):
-    """A socket's default as JSON has it."""
+    """A socket's default as in JSON."""
     return value if isinstance(value, float) else list(value)
 
 
 def check(path):
-    """One recipe: the group's sockets are the recipe's, its nodes are there and linked."""
+    """Checks one recipe: the group's sockets are the recipe's, its nodes exist and are linked."""
     with open(path, encoding="utf-8") as stream:
         recipe = json.load(stream)
     first = lumaknot_nodes.load(path)

@@ -3,7 +3,7 @@
     compile_test.py LUMAKNOT
 
 LUMAKNOT is the program. Needs glslangValidator and spirv-val. Exit status 0: all compiled; 1: one
-did not, each named with the compiler's words; 3: the compiler is not installed.
+did not, each named with the compiler's message; 3: the compiler is not installed.
 """
 
 import json
@@ -21,7 +21,7 @@ GAMUTS = ("free", "clamp", "chroma")
 
 
 def run(command):
-    """Returns what a command that fails printed, else nothing."""
+    """Returns the output of a command if it fails, else an empty text."""
     done = subprocess.run(command, capture_output=True, text=True)
     return "" if done.returncode == 0 else (done.stdout + done.stderr).strip() or "failed"
 
@@ -54,7 +54,7 @@ def stages(folder):
 
 
 def defects(program, arguments):
-    """What is wrong with one shader in all languages."""
+    """The defects of one shader in all languages."""
     found = []
     with tempfile.TemporaryDirectory() as folder:
         wrong = run([program, "shader", *arguments, "--lang", ",".join(LANGUAGES), "-o", folder,
@@ -78,7 +78,7 @@ def main(arguments):
         sys.exit(__doc__)
     for tool in ("glslangValidator", "spirv-val"):
         if not shutil.which(tool):
-            print(f"{tool} is not here; apt-get install glslang-tools spirv-tools",
+            print(f"{tool} not found; install with apt-get install glslang-tools spirv-tools",
                   file=sys.stderr)
             return 3
     wanted = list(shaders(arguments[0]))

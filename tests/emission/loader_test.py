@@ -1,4 +1,4 @@
-"""Loads emitted recipes as node groups in every Blender that is here.
+"""Loads emitted recipes as node groups in every Blender that is installed.
 
     loader_test.py LUMAKNOT
 
@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "fx"))
+sys.path.insert(0, str(HERE.parent / "effects"))
 import compile_fx  # noqa: E402  (how to run something in the Debian 13 folder)
 
 SHADERS = ("rgb-phong", "yiq-table1-phong", "yiq-baked-phong", "cielab-cook-torrance",
@@ -30,7 +30,7 @@ def extra_python():
 
 
 def run(command):
-    """The line that blender_groups.py prints, and whether it ended well."""
+    """The line that blender_groups.py prints, and whether it succeeded."""
     done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS,
                           start_new_session=True)
     return done.returncode == 0, done.stdout + done.stderr
@@ -58,13 +58,13 @@ def blender(program, script, folder):
 
 
 def trixie_blender():
-    """Whether the Debian 13 folder and its Blender are here."""
+    """Whether the Debian 13 folder and its Blender are installed."""
     folder = compile_fx.trixie_folder()
     return (folder / "usr/bin/blender").exists() and not compile_fx.why_not_installed(folder)
 
 
 def loaders(folder):
-    """What is here: a name and a function that returns (well, what it printed)."""
+    """Yields each Blender found: a name and a function that returns (success, its output)."""
     script = HERE / "blender_groups.py"
     if program := shutil.which("blender"):
         yield "blender", lambda: run(blender(program, script, folder))
@@ -75,7 +75,7 @@ def loaders(folder):
 
 
 def told(name, well, log):
-    """Prints what became of one Blender; returns whether all was well."""
+    """Prints the result of one Blender; returns whether it succeeded."""
     lines = [line for line in log.splitlines() if " groups in Blender " in line]
     well = well and bool(lines)
     print(f"{name}: {lines[0]}" if well else f"{name} failed:\n{log}")
@@ -93,7 +93,7 @@ def main(arguments):
         results = [(name, *load()) for name, load in loaders(folder)]
     failed = [not told(name, well, log) for name, well, log in results]
     if not results:
-        print("no Blender is here; apt-get install blender", file=sys.stderr)
+        print("no Blender found; install with apt-get install blender", file=sys.stderr)
         return 3
     return 1 if any(failed) else 0
 

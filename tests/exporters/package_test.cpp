@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/exporters/exporters_testing.h"
+#include "tests/exporters/testing.h"
 
 namespace lumaknot {
 namespace {
@@ -37,7 +37,7 @@ TEST(CheckPackageName, ordinary_names_pass) {
   }
 }
 
-TEST(WritePackage, every_file_is_written_as_it_is) {
+TEST(WritePackage, every_file_is_written_unchanged) {
   const TemporaryFolder folder;
   const std::string bytes("\0\r\n\xff", 4);
   write_package(folder.path(), {{"a.bin", bytes}, {"b.txt", ""}}, "--output");
@@ -48,7 +48,7 @@ TEST(WritePackage, every_file_is_written_as_it_is) {
 
 TEST(WritePackage, the_file_that_is_opened_is_missing_when_another_cannot_be_written) {
   const TemporaryFolder folder;
-  std::filesystem::create_directory(folder / "a.bin");  // where a file should go
+  std::filesystem::create_directory(folder / "a.bin");  // in place of a file
   const std::string error =
       error_of([&] { write_package(folder.path(), {{"a.bin", "x"}, {"b.py", "y"}}, "--output"); });
   EXPECT_THAT(error, HasSubstr("--output"));

@@ -1,7 +1,7 @@
-/// Where the rounded result of a recorded formula must lie, by interval arithmetic: each
-/// step widened by its rounding. Wider than rounding_bound.h, whose slopes know how steps depend on
-/// each other, but it holds at every edge: where a maximum, a choice or an absolute value may fall
-/// to the other side, where a vector is too short to have a direction, at powers of zero.
+/// Bounds of the rounded result of a recorded formula, by interval arithmetic: each step widened by
+/// its rounding. Wider than rounding_bound.h, whose slopes know how steps depend on each other, but
+/// it holds at every edge: where a maximum, a choice or an absolute value may fall to the other
+/// side, where a vector is too short to have a direction, at powers of zero.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/shaders/rounding_bound.h"
+#include "tests/shaders/graph/rounding_bound.h"
 
 namespace lumaknot::testing {
 
@@ -18,17 +18,17 @@ struct Range {
   double low = 0, high = 0;
 };
 
-/// Of each component; a scalar's in the first.
+/// One interval per component; a scalar's is the first.
 using Box = std::array<Range, 3>;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-inline double most_of(const Range& r) { return std::max(std::abs(r.low), std::abs(r.high)); }
+inline double max_of(const Range& r) { return std::max(std::abs(r.low), std::abs(r.high)); }
 inline Range hull(const Range& a, const Range& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 inline Range widened(const Range& r, double by) { return {r.low - by, r.high + by}; }
-inline Range rounded(const Range& r, double relative) { return widened(r, most_of(r) * relative); }
+inline Range rounded(const Range& r, double relative) { return widened(r, max_of(r) * relative); }
 inline Range sum(const Range& a, const Range& b) { return {a.low + b.low, a.high + b.high}; }
 inline Range negative(const Range& r) { return {-r.high, -r.low}; }
 inline Range product(const Range& a, const Range& b) {
@@ -37,8 +37,8 @@ inline Range product(const Range& a, const Range& b) {
   return {low, high};
 }
 inline Range square(const Range& r) {
-  const double least = r.low > 0 ? r.low : r.high < 0 ? r.high : 0;
-  return {least * least, most_of(r) * most_of(r)};
+  const double min = r.low > 0 ? r.low : r.high < 0 ? r.high : 0;
+  return {min * min, max_of(r) * max_of(r)};
 }
 inline Range quotient(const Range& a, const Range& b) {
   if (b.low <= 0 && b.high >= 0) return {-kInfinity, kInfinity};
@@ -90,7 +90,7 @@ Range dot_range(const Box& a, const Box& b, bool same) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Range term = same ? square(a[i]) : product(a[i], b[i]);
     total = sum(total, term);
-    sizes += most_of(term);
+    sizes += max_of(term);
   }
   return widened(total, 3 * Errors::kRounding * sizes);
 }
@@ -101,7 +101,7 @@ Box cross_box(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const Range p = product(a[j], b[k]), q = product(a[k], b[j]);
-    result[i] = widened(sum(p, negative(q)), 2 * Errors::kRounding * (most_of(p) + most_of(q)));
+    result[i] = widened(sum(p, negative(q)), 2 * Errors::kRounding * (max_of(p) + max_of(q)));
   }
   return result;
 }
@@ -162,7 +162,7 @@ Box box_of(const Node& node, const std::vector<Box>& a, const rounding::Inputs& 
           [](double) { return Errors::root(); }));
     case Op::kAbs: {
       const Range& r = a[0][0];
-      return scalar(r.low > 0 ? r : r.high < 0 ? negative(r) : Range{0, most_of(r)});
+      return scalar(r.low > 0 ? r : r.high < 0 ? negative(r) : Range{0, max_of(r)});
     }
     case Op::kSelectLess:
       if (a[0][0].high < a[1][0].low) return a[2];
@@ -202,7 +202,7 @@ Box enclosure(const rounding::Tape& tape, const rounding::Inputs& inputs) {
   return boxes.back();
 }
 
-/// Whether `v` lies in `box`.
+/// Whether `v` is in `box`.
 inline bool is_in(const Vec3d& v, const Box& box) {
   const auto in = [](double x, const Range& r) { return x >= r.low && x <= r.high; };
   return in(v.x, box[0]) && in(v.y, box[1]) && in(v.z, box[2]);

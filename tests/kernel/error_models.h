@@ -1,7 +1,7 @@
 /// How precise the languages' arithmetic is, besides LibraryErrors and VulkanErrors.
 #pragma once
 
-#include "tests/shaders/rounding_bound.h"
+#include "tests/shaders/graph/rounding_bound.h"
 
 namespace lumaknot::testing {
 

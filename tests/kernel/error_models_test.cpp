@@ -1,21 +1,22 @@
-// The functions of each language, run one by one: they keep the error models that bounds rest on.
+// The functions of each language, run one by one: they meet the error models on which bounds are
+// based.
 #include "tests/kernel/error_models.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "tests/kernel/kernel_cells.h"
-#include "tests/kernel/kernel_judge.h"
-#include "tests/kernel/kernel_run.h"
-#include "tests/shaders/random_surface.h"
+#include "tests/kernel/cells.h"
+#include "tests/kernel/judge.h"
+#include "tests/kernel/run.h"
+#include "tests/shaders/formulas/random_surface.h"
 
 namespace lumaknot {
 namespace {
 
 using namespace testing;
 
-/// A function of the operands a and b, and its largest error as models tell it.
+/// A function of the operands a and b, and its largest error according to the models.
 struct Function {
   std::string name;
   std::function<Scalar(const Scalar& a, const Scalar& b)> recorded;
@@ -23,15 +24,15 @@ struct Function {
   std::function<Vec3d(RandomSurface&)> operands;  ///< in x and y
 };
 
-double log_uniform(RandomSurface& random, double least, double most) {
-  return std::exp(random.number(std::log(least), std::log(most)));
+double log_uniform(RandomSurface& random, double min, double max) {
+  return std::exp(random.number(std::log(min), std::log(max)));
 }
 
 /// A base and an exponent whose power is far from the ends of float.
 Vec3d power_operands(RandomSurface& random) {
   const double base = log_uniform(random, 1e-4, 10);
-  const double most = 60 / std::max(std::abs(std::log(base)), 0.05);
-  return {base, log_uniform(random, 0.01, most), 0};
+  const double max = 60 / std::max(std::abs(std::log(base)), 0.05);
+  return {base, log_uniform(random, 0.01, max), 0};
 }
 
 const std::vector<Function>& functions() {
@@ -108,17 +109,17 @@ KernelRows rows_of(const Function& function) {
 /// Expects `found` within the model.
 void expect_model(const Function& function, const KernelRows& rows, const Colors& found,
                   Precision precision) {
-  double most = 0;
+  double max = 0;
   for (std::size_t row = 0; row < kKernelRows; ++row) {
     const Vec3d operands = rows.columns()[0].values[row];
     const double exact = function.exact(operands.x, operands.y);
     const double error = std::abs(found.at(row).x - exact);
     const double limit = allowed(precision, function.name, operands, exact);
-    most = std::max(most, error / limit);
+    max = std::max(max, error / limit);
     ASSERT_LE(error, limit) << function.name << " of " << operands.x << ", " << operands.y << ": "
                             << found[row].x << " in place of " << exact;
   }
-  ::testing::Test::RecordProperty(function.name + "_percent_of_model", int(most * 100));
+  ::testing::Test::RecordProperty(function.name + "_percent_of_model", int(max * 100));
 }
 
 class Functions : public ::testing::TestWithParam<Language> {};

@@ -1,39 +1,145 @@
-"""Checks the `#include "folder/..."` lines of every folder against the architecture's table, and that
-OpenImageIO, which is slow to load, stays in the module made for it.
+"""Checks the `#include "folder/..."` lines of every folder against the architecture's tables, that
+OpenImageIO, which is slow to load, stays in its module, and that folders stay small.
 
     check.py SOURCE_ROOT
 """
 
 import re
 import sys
+from collections import defaultdict
 from pathlib import Path
 
-ALL = ("scene", "meshgen", "shaders", "exporters", "render", "validate", "study", "cli")
+ALL = ("system", "scene", "meshgen", "shaders", "exporters", "render", "validate", "study", "cli")
 
 # A folder, and what it may include besides itself.
 ALLOWED = {
-    "scene": (),
-    "meshgen": ("scene",),
-    "shaders": ("scene",),
-    "exporters": ("scene", "shaders"),
-    "render": ("scene", "shaders", "meshgen"),
-    "validate": ("scene", "exporters", "render", "shaders"),
+    "system": (),
+    "scene": ("system",),
+    "meshgen": ("system", "scene"),
+    "shaders": ("system", "scene"),
+    "exporters": ("system", "scene", "shaders"),
+    "render": ("system", "scene", "shaders", "meshgen"),
+    "validate": ("system", "scene", "exporters", "render", "shaders"),
     "study": tuple(folder for folder in ALL if folder != "cli"),
     "cli": ALL,
     "tests": ALL,
     "bench": ALL,
 }
 
-# Who may include OpenImageIO.
-IMAGE_FOLDERS = ("exporters/images", "tests")
+# Within a folder: its subfolders, and which of their sisters each may include; "" is the folder
+# itself.
+SISTERS = {
+    "shaders": {
+        "formulas": ("graph", "spaces"),
+        "graph": ("formulas",),
+        "languages": ("graph",),
+        "spaces": ("graph",),
+    },
+    "exporters": {
+        "": ("gltf", "mesh", "text"),
+        "blender": ("", "image"),
+        "gltf": ("", "image", "mesh"),
+        "image": ("image/module",),
+        "image/module": (),
+        "mesh": ("gltf", "text"),
+        "obj": ("", "image", "mesh", "text"),
+        "off": ("mesh", "text"),
+        "om": ("mesh", "text"),
+        "ply": ("mesh", "text"),
+        "povray": ("", "image", "mesh", "text"),
+        "stl": ("mesh", "text"),
+        "text": (),
+    },
+    "render": {"": (), "exact": ("",), "fast": ("",), "fast/kernels": ("fast",)},
+    "validate": {
+        "": ("compare", "renderers"),
+        "compare": ("renderers",),
+        "gpu": (),
+        "renderers": (),
+        "report": ("", "renderers"),
+    },
+    "study": {
+        "measure": (),
+        "bench": ("measure",),
+        "budget": ("measure",),
+        "chart": ("measure",),
+        "paper": ("measure", "bench"),
+        "plan": ("measure", "budget"),
+        "stability": ("measure",),
+    },
+    "cli": {
+        "": ("describe",),
+        "commands": ("", "describe"),
+        "describe": ("",),
+        "main": ("",),
+    },
+}
+
+# What other folders may include of a subfolder: everything, or these headers.
+EVERYTHING = None
+ENTRANCES = {
+    "shaders/formulas": EVERYTHING,
+    "shaders/graph": ("blender_nodes", "half", "number", "shader"),
+    "shaders/languages": ("backend", "emit", "functions"),
+    "shaders/spaces": EVERYTHING,
+    "exporters/blender": ("scene",),
+    "exporters/gltf": ("scene",),
+    "exporters/image": ("baked_texture", "file"),
+    "exporters/mesh": ("file",),
+    "exporters/obj": ("scene",),
+    "exporters/povray": ("scene",),
+    "render/exact": ("pixels", "truth", "tube"),
+    "render/fast": ("renderer", "sample_pattern", "simd_number"),
+    "validate/compare": ("claims", "images", "quantile"),
+    "validate/gpu": ("fields", "files", "mesh_file"),
+    "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "spirv"),
+    "validate/report": ("forms", "page_kit"),
+    "study/bench": ("report", "scaling"),
+    "study/budget": ("stages",),
+    "study/chart": ("points",),
+    "study/measure": ("gnuplot",),
+    "study/paper": ("checkpoint", "reproduction"),
+    "study/plan": ("outcome",),
+    "study/stability": ("atlas_report", "regions"),
+}
+
+# What may include from every folder.
+EVERYWHERE = ("tests",)
+
+# What may include OpenImageIO.
+IMAGE_FOLDERS = ("exporters/image/module", "tests")
+
+MAX_SOURCES = 30  # per folder; a header and its source count as one
 
 OPEN_IMAGE_IO = re.compile(r"\s*#\s*include\s*<OpenImageIO/")
-INCLUDE = re.compile(r'\s*#\s*include\s*"([^"/]+)/')
+INCLUDE = re.compile(r'\s*#\s*include\s*"([^"/]+/[^"]+)"')
 
 
-def violations(root):
-    """Yields one line of text for each include that the table forbids."""
-    for folder, allowed in ALLOWED.items():
+def forbidden(includer, included):
+    """Why the file `includer` may not include `included`; empty if it may. Both are relative to the root."""
+    folder, other = includer.parts[0], included.parts[0]
+    if folder in EVERYWHERE or other not in ALLOWED:
+        return ""
+    here, there = ("/".join(path.parent.parts[1:]) for path in (includer, included))
+    if folder != other:
+        if other not in ALLOWED[folder]:
+            may = ", ".join(ALLOWED[folder]) or "nothing"
+            return f"{folder} must not include {other}; besides itself it may include: {may}"
+        entrances = ENTRANCES.get(f"{other}/{there}", ()) if there else EVERYTHING
+        if entrances is not EVERYTHING and included.stem not in entrances:
+            may = ", ".join(f"{name}.h" for name in entrances) or "nothing"
+            return f"other folders may only include from {other}/{there}: {may}"
+        return ""
+    sisters = SISTERS.get(folder)
+    if sisters is None or here == there or there in sisters.get(here, ()):
+        return ""
+    may = ", ".join(f"{folder}/{name}" for name in sisters.get(here, ())) or "nothing"
+    return f"{folder}/{here} must not include {folder}/{there}; besides itself it may include: {may}"
+
+
+def include_violations(root):
+    """Yields a line of text per include that the tables forbid."""
+    for folder in ALLOWED:
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".cpp", ".h"):
                 continue
@@ -43,21 +149,43 @@ def violations(root):
                     yield (f"{name}:{number}: only {' and '.join(IMAGE_FOLDERS)} may include "
                            "OpenImageIO")
                 match = INCLUDE.match(line)
-                if not match or match[1] not in ALLOWED:
-                    continue
-                if match[1] != folder and match[1] not in allowed:
-                    may = ", ".join(allowed) or "nothing"
-                    yield (f"{name}:{number}: {folder} must not include "
-                           f"{match[1]}; besides itself it may include: {may}")
+                why = forbidden(name, Path(match[1])) if match else ""
+                if why:
+                    yield f"{name}:{number}: {why}"
+
+
+def singular(word):
+    return word.removesuffix("s")
+
+
+def folder_violations(root):
+    """Yields a line of text per folder with too many files and per file named after its folder."""
+    stems = defaultdict(set)
+    for folder in ALLOWED:
+        for path in (root / folder).rglob("*"):
+            if path.suffix in (".cpp", ".h"):
+                stems[path.parent.relative_to(root)].add(path.stem)
+    for folder, names in sorted(stems.items()):
+        if len(names) > MAX_SOURCES:
+            yield f"{folder}: {len(names)} sources in one folder; more than {MAX_SOURCES} need subfolders"
+        for name in sorted(names):
+            if singular(folder.name) in map(singular, name.split("_")):
+                yield f"{folder}/{name}: repeats the name of its folder"
+
+
+def violations(root):
+    """Yields a line of text per broken rule."""
+    yield from include_violations(root)
+    yield from folder_violations(root)
 
 
 def check(violations_of, arguments, usage):
-    """Prints what violations_of(root) yields for the one argument, SOURCE_ROOT; returns the exit status."""
+    """Prints what violations_of(root) yields for the only argument, SOURCE_ROOT; returns the exit status."""
     if len(arguments) != 1:
         sys.exit(usage)
     root = Path(arguments[0])
     missing = [folder for folder in ("scene", "render", "exporters") if not (root / folder).is_dir()]
-    if missing:  # a wrong root would pass, having nothing to check
+    if missing:  # otherwise a wrong root would pass
         sys.exit(f"{root} is not the source root: it has no {missing[0]}/")
     found = list(violations_of(root))
     print("\n".join(found), end="\n" if found else "")

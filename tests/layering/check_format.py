@@ -1,4 +1,4 @@
-"""Checks that every source file is as clang-format would write it.
+"""Checks that every source file is formatted by clang-format.
 
     check_format.py CLANG_FORMAT SOURCE_ROOT
 """
@@ -7,12 +7,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-FOLDERS = ("scene", "meshgen", "shaders", "exporters", "render", "validate", "cli", "tests",
-           "bench", "study")
+from check import ALLOWED
 
 
 def sources(root):
-    return [path for folder in FOLDERS for path in sorted((root / folder).rglob("*"))
+    return [path for folder in ALLOWED for path in sorted((root / folder).rglob("*"))
             if path.suffix in (".cpp", ".h")]
 
 
@@ -27,7 +26,7 @@ def main(arguments):
         sys.exit(__doc__)
     clang_format, root = arguments[0], Path(arguments[1])
     files = sources(root)
-    if not files:  # a wrong root would pass, having nothing to check
+    if not files:  # otherwise a wrong root would pass
         sys.exit(f"{root} is not the source root: it has no sources")
     offenders = [path for path in files if not is_formatted(clang_format, path)]
     for path in offenders:

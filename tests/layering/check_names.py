@@ -1,10 +1,10 @@
-"""Checks the One Definition Rule where neither compiler nor linker does: a type's name is defined once
-in a namespace. Two types of one name, each private to the files that include its header, link without
-a word, and inline functions of one are taken for the other's.
+"""Checks the One Definition Rule where neither compiler nor linker does: a type name is defined once per
+namespace. Two types of the same name, each used only by files that include its header, link silently, and
+inline functions of one replace those of the other.
 
     check_names.py SOURCE_ROOT
 
-Types of unnamed namespaces are private to their file; a header has none.
+Types in unnamed namespaces are private to their file; headers have none.
 """
 
 import re
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from check import ALLOWED, check
 
-# As clang-format leaves them: what a namespace holds begins a line, and its end names it.
+# As clang-format writes them: a namespace's contents are not indented, and its end names it.
 OPENS = re.compile(r"namespace ([\w:]+ )?\{$")
 CLOSES = re.compile(r"\}  // namespace\b")
 DEFINES = re.compile(r"(?:struct|class|enum class|enum|union) (\w+)(?: final)?(?: : [^;]*)?(?: \{|$)"
@@ -22,7 +22,7 @@ DEFINES = re.compile(r"(?:struct|class|enum class|enum|union) (\w+)(?: final)?(?
 
 
 def defined_types(path):
-    """Yields line number and qualified name of each type that the file defines in a named namespace."""
+    """Yields the line number and qualified name of each type that the file defines in a named namespace."""
     namespaces = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if opened := OPENS.match(line):
@@ -34,12 +34,12 @@ def defined_types(path):
 
 
 def program_of(path):
-    """Tests of different folders are different programs, as are those in a folder of their own."""
+    """The program a file belongs to: tests of different folders are different programs."""
     return path.parts[:2] if path.parts[0] == "tests" else ()
 
 
 def violations(root):
-    """Yields a line of text for each name that is defined again."""
+    """Yields a line of text per name that is defined again."""
     places = defaultdict(list)
     for folder in ALLOWED:
         for path in sorted((root / folder).rglob("*")):
@@ -49,7 +49,7 @@ def violations(root):
                     places[program_of(name), type_name].append(f"{name}:{number}")
     for (_, type_name), found in sorted(places.items()):
         if len(found) > 1:
-            yield f"{found[1]}: {type_name} is defined at {found[0]} already; choose another name"
+            yield f"{found[1]}: {type_name} is already defined at {found[0]}; choose another name"
 
 
 if __name__ == "__main__":

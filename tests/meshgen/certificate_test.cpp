@@ -38,14 +38,14 @@ std::vector<std::pair<int, int>> fifty() {
 TEST(Certificate, of_fifty_knots_and_links_is_clean) {
   for (const auto& [p, q] : fifty()) {
     const Certificate c = certificate_of(knot_of(p, q));
-    ASSERT_EQ(c.pieces.size(), std::size_t(std::gcd(p, q))) << p << "," << q;
-    for (const Piece& piece : c.pieces) {
+    ASSERT_EQ(c.connected_components.size(), std::size_t(std::gcd(p, q))) << p << "," << q;
+    for (const ConnectedComponent& piece : c.connected_components) {
       EXPECT_EQ(piece.euler_characteristic(), 0) << p << "," << q;
       EXPECT_EQ(piece.genus(), 1) << p << "," << q;
       EXPECT_EQ(piece.boundary_edges, 0) << p << "," << q;
     }
-    EXPECT_LT(c.ring_tilt, 1e-9) << p << "," << q;      // the bar, in degrees
-    EXPECT_LT(c.closing_error, 1e-9) << p << "," << q;  // the bar, in degrees
+    EXPECT_LT(c.ring_tilt, 1e-9) << p << "," << q;      // the limit, in degrees
+    EXPECT_LT(c.closing_error, 1e-9) << p << "," << q;  // the limit, in degrees
     ASSERT_TRUE(c.bound.has_value());
     EXPECT_LE(c.measured.chord, c.bound->chord) << p << "," << q;
     EXPECT_LE(c.measured.normal_degrees, c.bound->normal_degrees) << p << "," << q;
@@ -71,18 +71,18 @@ TEST(Certificate, volume_of_fifty_knots_and_links_converges_at_order_2) {
   }
 }
 
-TEST(Certificate, tells_three_s_tilt_and_twist) {
+TEST(Certificate, reports_three_s_tilt_and_twist) {
   KnotSpec knot = knot_defaults(Convention::kThree);
   knot.segments = 1000;
   const Certificate c = certificate_of(knot);
-  EXPECT_NEAR(c.ring_tilt, 0.47, 0.005);  // as known of three.js, to these digits
+  EXPECT_NEAR(c.ring_tilt, 0.47, 0.005);  // known of three.js, to these digits
   EXPECT_NEAR(std::abs(c.twist), 187, 0.5);
-  EXPECT_NEAR(c.stretch.along.most / c.stretch.along.least, 1.86, 0.01);
+  EXPECT_NEAR(c.stretch.along.max / c.stretch.along.min, 1.86, 0.01);
   EXPECT_FALSE(c.bound.has_value());
-  EXPECT_EQ(c.pieces.front().euler_characteristic(), 0);
+  EXPECT_EQ(c.connected_components.front().euler_characteristic(), 0);
 }
 
-TEST(Certificate, sees_babylon_s_seam_and_that_it_is_inside_out) {
+TEST(Certificate, detects_babylon_s_seam_and_that_it_is_inside_out) {
   const Certificate c = certificate_of(knot_defaults(Convention::kBabylon));
   EXPECT_LT(c.volume, 0);
   // Its normals are averaged from faces, on 32 segments.
@@ -91,14 +91,14 @@ TEST(Certificate, sees_babylon_s_seam_and_that_it_is_inside_out) {
 
 TEST(Certificate, stretch_is_one_along_by_arc_length) {
   const Certificate c = certificate_of(knot_of(2, 3));
-  EXPECT_NEAR(c.stretch.along.least, 1, 1e-12);  // rounding of u
-  EXPECT_NEAR(c.stretch.along.most, 1, 1e-12);
-  EXPECT_NEAR(c.stretch.around.least, c.stretch.around.most, 1e-12);  // regular polygons
-  EXPECT_LT(c.stretch.surface.least, 1);                              // within the bend
-  EXPECT_GT(c.stretch.surface.most, 1);                               // and outside
+  EXPECT_NEAR(c.stretch.along.min, 1, 1e-12);  // rounding of u
+  EXPECT_NEAR(c.stretch.along.max, 1, 1e-12);
+  EXPECT_NEAR(c.stretch.around.min, c.stretch.around.max, 1e-12);  // regular polygons
+  EXPECT_LT(c.stretch.surface.min, 1);                             // inside the bend
+  EXPECT_GT(c.stretch.surface.max, 1);                             // and outside it
 }
 
-TEST(Certificate, holonomy_is_what_the_twist_closes) {
+TEST(Certificate, twist_cancels_the_holonomy) {
   const Certificate c = certificate_of(knot_of(2, 3));
   EXPECT_NEAR(c.twist, -c.holonomy, 1e-4);  // the double reflection that measures it: order 4
 }

@@ -120,9 +120,9 @@ std::vector<Vec3d> centres(const std::vector<Curve>& link) {
 }
 
 double nearest(const std::vector<Vec3d>& centres, const Vec3d& point) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3d& centre : centres) least = std::min(least, length(point - centre));
-  return least;
+  double min = std::numeric_limits<double>::infinity();
+  for (const Vec3d& centre : centres) min = std::min(min, length(point - centre));
+  return min;
 }
 
 /// The point of the tube's surface at the curve's parameter t and `angle`, 0 towards `up`.
@@ -142,7 +142,7 @@ TEST(Clearance, a_thinner_tube_has_its_surface_nowhere_nearer_to_the_centre_line
       for (int j = 0; j < 12; ++j) {
         const Vec3d up = curve_point(link[0], ring_parameter(i, 60)).second;
         const Vec3d x = on_tube(link[0], ring_parameter(i, 60), up, radius, ring_parameter(j, 12));
-        // Samples are farther than the centre line itself; the rest is rounding.
+        // Samples are farther away than the centre line itself; the rest is rounding.
         ASSERT_GE(nearest(points, x), radius * (1 - 1e-12)) << knot.p << " " << knot.q;
       }
     }
@@ -157,7 +157,7 @@ TEST(Clearance, a_thicker_tube_of_strands_has_its_surface_inside_itself) {
     const double radius = 1.001 * found.radius;
     const Vec3d a = point_a(link, found).position, b = point_b(link, found).position;
     const Vec3d surface = a + normalize(b - a) * radius;
-    // From b it is 0.999 radii; 1e-4 of that is more than 1000 samples miss.
+    // From b it is 0.999 radii; 1000 samples miss less than 1e-4 of that.
     EXPECT_LT(nearest(centres(link), surface), 0.9991 * found.radius) << knot.p << " " << knot.q;
   }
 }
@@ -172,12 +172,12 @@ TEST(Clearance, a_thicker_tube_that_bends_has_its_surface_inside_itself) {
     const Vec3d inwards = curve_point(curve, found.t_a).second;
     const Vec3d surface = on_tube(curve, found.t_a, inwards, radius, 0);
     // Beyond the centre of curvature neighbouring centres are nearer.
-    double least = radius;
+    double min = radius;
     for (int i = -1000; i <= 1000; ++i) {
       const Vec3d centre = curve_point(curve, found.t_a + 1e-4 * i).position;
-      least = std::min(least, length(surface - centre));
+      min = std::min(min, length(surface - centre));
     }
-    EXPECT_LT(least, radius * (1 - 1e-9)) << knot.p << " " << knot.q;  // far beyond rounding
+    EXPECT_LT(min, radius * (1 - 1e-9)) << knot.p << " " << knot.q;  // far beyond rounding
   }
 }
 
@@ -252,13 +252,13 @@ TEST(Clearance, of_many_turns_is_half_the_distance_of_neighbours) {
     const double inner = 0.6;
     const double across = std::hypot(p * inner, q * 0.4);
     const double spacing = 2 * kPi * 0.4 * inner / across;
-    // The surface bends by the square of the spacing; along the inner rim the spacing is least
-    // but for p >> q, where it is nearly the same everywhere.
+    // The surface bends by the square of the spacing; along the inner rim the spacing is smallest
+    // except for p >> q, where it is nearly the same everywhere.
     EXPECT_NEAR(clearance_of(knot_of(p, q)).radius, spacing / 2, 1e-5 * spacing) << p << " " << q;
   }
 }
 
-TEST(Clearance, of_steep_links_beside_the_axis_is_found) {
+TEST(Clearance, of_steep_links_near_the_axis_is_found) {
   // Their speed and curvature change a hundred times within a hundredth of the meridian.
   for (const auto& [p, winding] : {std::pair{286, 0.999}, {300, 2.0}, {1000, 1.0}, {1000, 1.01}}) {
     const std::vector<Curve> link = components(knot_of(p, 1, winding));

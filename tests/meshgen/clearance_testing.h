@@ -1,4 +1,4 @@
-/// What the tests of clearance() share.
+/// Shared by the tests of clearance().
 #pragma once
 
 #include <numbers>
@@ -9,12 +9,12 @@ namespace lumaknot::testing {
 
 inline constexpr double kPi = std::numbers::pi;
 
-inline KnotSpec knot_of(int p, int q, double winding_radius = 0.4, double ring_radius = 1) {
+inline KnotSpec knot_of(int p, int q, double minor_radius = 0.4, double major_radius = 1) {
   KnotSpec knot;
   knot.p = p;
   knot.q = q;
-  knot.ring_radius = ring_radius;
-  knot.winding_radius = winding_radius;
+  knot.major_radius = major_radius;
+  knot.minor_radius = minor_radius;
   return knot;
 }
 

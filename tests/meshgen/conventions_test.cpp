@@ -19,7 +19,7 @@ Vec3d face_vector(const TriangleMesh& mesh, const Triangle& t) {
   return cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
 }
 
-// What three.js and Babylon.js compute themselves is compared in tests/peers.
+// The output of three.js and Babylon.js themselves is compared in tests/peers.
 
 TEST(Conventions, three_cuts_quads_along_the_other_diagonal) {
   const TriangleMesh mesh = knot_mesh(knot_defaults(Convention::kThree));
@@ -52,11 +52,11 @@ TEST(Conventions, babylon_has_no_seam_around_and_winds_clockwise) {
   }
   EXPECT_LT(volume(closed_mesh(knot, mesh)), 0);
   // The normals of the first ring and of the last, at the same places, differ: a seam.
-  double most = 0;
+  double max = 0;
   for (std::size_t j = 0; j < 32; ++j) {
-    most = std::max(most, length(mesh.normals[j] - mesh.normals[32 * 32 + j]));
+    max = std::max(max, length(mesh.normals[j] - mesh.normals[32 * 32 + j]));
   }
-  EXPECT_GT(most, 0.05);
+  EXPECT_GT(max, 0.05);
 }
 
 TEST(Conventions, blender_is_the_default_tube_about_its_own_knot) {
@@ -70,20 +70,20 @@ TEST(Unwrap, by_arc_length_the_texture_is_nowhere_stretched_along) {
   KnotSpec knot;
   knot.segments = 400;
   knot.sides = 4;
-  knot.winding_radius = 0.5;
+  knot.minor_radius = 0.5;
   const auto ratio = [&] {
     const TriangleMesh mesh = knot_mesh(knot);
     const Curve line = components(knot).front();
-    double least = 1e9, most = 0;
+    double min = 1e9, max = 0;
     for (int i = 0; i < knot.segments; ++i) {
       const double way = length(curve_point(line, ring_parameter(i + 1, 400)).position -
                                 curve_point(line, ring_parameter(i, 400)).position);
       const double share =
           way / (mesh.uvs[std::size_t(5 * (i + 1))].u - mesh.uvs[std::size_t(5 * i)].u);
-      least = std::min(least, share);
-      most = std::max(most, share);
+      min = std::min(min, share);
+      max = std::max(max, share);
     }
-    return most / least;
+    return max / min;
   };
   knot.unwrap = Unwrap::kParameter;
   EXPECT_NEAR(ratio(), 1.86, 0.005);  // sqrt(11.25 / 3.25), the known figure
@@ -105,7 +105,7 @@ TEST(Tangents, are_the_surface_s_derivative_along_u) {
       const double t = ring_parameter(i, 600), theta = 2 * kPi * j / 48;
       const TubeSurface tube(spine, knot.tube_radius);
       const Vec3d along = normalize(tube.at(t, theta).along);
-      // A vertex's triangles lie half a step to each side: the error is of the step's order, 0.01,
+      // A vertex's triangles are half a step to each side: the error is of the step's order, 0.01,
       // times how fast the direction turns.
       ASSERT_LT(length(all[at].direction - along), 0.02) << i << "," << j;
       ASSERT_NEAR(dot(all[at].direction, mesh.normals[at]), 0, 1e-13);

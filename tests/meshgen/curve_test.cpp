@@ -41,8 +41,8 @@ TEST(Curve, stays_on_its_torus) {
   for (const Curve& knot : kKnots) {
     for (int i = 0; i < 97; ++i) {
       const Vec3d c = curve_point(knot, 0.07 * i).position;
-      const double from_ring = std::hypot(std::hypot(c.x, c.y) - knot.ring_radius, c.z);
-      EXPECT_NEAR(from_ring, knot.winding_radius, 1e-14);  // rounding of lengths near one
+      const double from_ring = std::hypot(std::hypot(c.x, c.y) - knot.major_radius, c.z);
+      EXPECT_NEAR(from_ring, knot.minor_radius, 1e-14);  // rounding of lengths near one
     }
   }
 }
@@ -65,11 +65,11 @@ TEST(Curve, winds_p_times_about_the_axis_and_q_times_through_the_hole) {
       const Vec3d b = curve_point(knot, 2 * kPi * (i + 1) / n).position;
       about += std::remainder(std::atan2(b.y, b.x) - std::atan2(a.y, a.x), 2 * kPi);
       const auto angle = [&](const Vec3d& c) {
-        return std::atan2(c.z, std::hypot(c.x, c.y) - knot.ring_radius);
+        return std::atan2(c.z, std::hypot(c.x, c.y) - knot.major_radius);
       };
       through += std::remainder(angle(b) - angle(a), 2 * kPi);
     }
-    EXPECT_NEAR(about / (2 * kPi), knot.p, 1e-9);  // a sum of n roundings; the answer is whole
+    EXPECT_NEAR(about / (2 * kPi), knot.p, 1e-9);  // a sum of n roundings; the result is whole
     EXPECT_NEAR(through / (2 * kPi), knot.q, 1e-9);
   }
 }
@@ -111,8 +111,8 @@ TEST(Curve, a_long_spiral_has_a_helix_s_curvature_and_torsion) {
   // On a ring so wide that its tube is straight, a (p,q) knot is a helix of radius w and pitch
   // 2 pi R p / q: curvature w / (w^2 + c^2), torsion c / (w^2 + c^2) with c = R p / q.
   KnotSpec knot = knot_of(1, 1000);
-  knot.ring_radius = 1000;
-  knot.winding_radius = 1;
+  knot.major_radius = 1000;
+  knot.minor_radius = 1;
   const CurvePoint point = curve_point(components(knot).front(), 0.3);
   EXPECT_NEAR(curvature(point), 0.5, 2e-3);  // the ring bends by 1 in 1000
   EXPECT_NEAR(std::abs(torsion(point)), 0.5, 2e-3);
@@ -148,7 +148,7 @@ TEST(Components, do_not_meet) {
 
 TEST(Components, that_have_no_extent_are_refused) {
   KnotSpec knot = knot_of(2, 0);
-  knot.winding_radius = knot.ring_radius;  // the second circle lies on the axis
+  knot.minor_radius = knot.major_radius;  // the second circle lies on the axis
   EXPECT_THAT(error_of([&] { components(knot); }), ::testing::HasSubstr("no extent"));
 }
 
@@ -192,9 +192,9 @@ TEST(ArcLength, is_that_of_a_fine_polygon) {
   EXPECT_LT(polygon, Spine(line).length());
 }
 
-TEST(ArcLength, is_found_on_spindles_where_the_speed_has_a_kink_nearly) {
+TEST(ArcLength, is_found_on_spindles_where_the_speed_nearly_has_a_kink) {
   KnotSpec knot = knot_of(1000, 1);
-  knot.winding_radius = 2;  // the line crosses the axis, where it turns in 1/1000 of a radian
+  knot.minor_radius = 2;  // the line crosses the axis, where it turns in 1/1000 of a radian
   const Curve line = components(knot).front();
   double sum = 0;
   const int n = 400'000;

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "meshgen/tube_distance.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
@@ -73,8 +73,8 @@ double distance_to_edge(const Vec2d& a, const Vec2d& b) {
   return std::hypot(a.u + s * du, a.v + s * dv);
 }
 
-/// A torus' quads are flat trapezoids; at a given height the point halfway along is off most, or
-/// the ring. So the worst is in the half plane of the segment's middle, where the trapezoids are
+/// A torus' quads are flat trapezoids; at a given height the deviation is largest halfway along, or
+/// on the ring. So the worst is in the half plane of the segment's middle, where the trapezoids are
 /// the edges of a polygon, or on the ring's own polygon.
 double torus_chord(double ring, double r, int segments, int sides) {
   double worst = r * (1 - std::cos(kPi / sides));
@@ -90,7 +90,8 @@ double torus_chord(double ring, double r, int segments, int sides) {
   return worst;
 }
 
-/// Coprime p, q with a tube that neither touches itself nor is thicker than the curve bends.
+/// Coprime p, q with a tube that neither touches itself nor exceeds the curve's radius of
+/// curvature.
 std::vector<Tube> fifty_tubes() {
   std::vector<Tube> tubes;
   for (int p = -6; p <= 8 && tubes.size() < 50; ++p) {
@@ -125,7 +126,7 @@ TEST(Deviation, is_the_largest_of_many_samples) {
       const double sampled = sampled_chord(tube.surface(), segments, sides, 16);
       const double measured = measured_chord(tube.surface(), segments, sides);
       EXPECT_GE(measured, sampled * (1 - 1e-6));  // the maximisation's last steps
-      // The worst place is at most half a step of the lattice away, and some (1 / 16)^2 better.
+      // The worst place is at most half a step of the lattice away, and about (1 / 16)^2 better.
       EXPECT_LE(measured, sampled * (1 + 4e-3));
     }
   }
@@ -135,7 +136,7 @@ TEST(Deviation, falls_to_a_quarter_when_the_steps_halve) {
   for (const Tube& tube : {tube_of(2, 3, 0.18), tube_of(5, 2, 0.1), tube_of(1, 0, 0.18)}) {
     const Deviation coarse = measured_deviation(tube.surface(), 400, 20);
     const Deviation fine = measured_deviation(tube.surface(), 800, 40);
-    // The next order, and how the worst place falls between the vertices.
+    // The next order, and the position of the worst place between the vertices.
     EXPECT_NEAR(coarse.chord / fine.chord, 4, 0.2);
   }
 }
@@ -162,7 +163,7 @@ TEST(Deviation, does_not_depend_on_the_number_of_cores) {
   EXPECT_EQ(all.normal_degrees, alone.normal_degrees);
 }
 
-TEST(Deviation, of_given_vertices_is_that_of_the_grid_they_are) {
+TEST(Deviation, of_given_vertices_is_that_of_their_grid) {
   const Tube tube = tube_of(2, 3, 0.18);
   const Vertices given = vertices_of(tube.surface(), 120, 13);
   const Deviation own = measured_deviation(tube.surface(), 120, 13);
@@ -182,7 +183,7 @@ TEST(Deviation, one_vertex_pulled_out_and_one_normal_tilted_are_found) {
   const Deviation found =
       measured_deviation(tube.surface(), 300, 30, given.positions, given.normals);
   EXPECT_NEAR(found.chord, 0.05, 1e-14);  // rounding; the vertex itself is farthest
-  // The triangles' own error of some hundredths of a degree may add to it, not take away.
+  // The triangles' own error of a few hundredths of a degree may add to it, not subtract.
   EXPECT_GE(found.normal_degrees, 0.1 * 180 / kPi * (1 - 1e-12));
   EXPECT_LE(found.normal_degrees, 0.1 * 180 / kPi + 0.1);
 }
@@ -235,13 +236,13 @@ TEST(Deviation, has_a_bound_that_is_not_far_above) {
   for (const Tube& tube : fifty_tubes()) {
     const Deviation measured = measured_deviation(tube.surface(), 768, 40);
     const Deviation bound = deviation_bound(tube.surface(), 768, 40);
-    // What the bound adds is of the next order: measured at most 1.4 and 2.7 times here.
+    // The bound's excess is of the next order: measured at most 1.4 and 2.7 times here.
     EXPECT_LE(bound.chord, 1.5 * measured.chord) << tube.spine.curve().p << tube.spine.curve().q;
     EXPECT_LE(bound.normal_degrees, 3 * measured.normal_degrees);
   }
 }
 
-TEST(TubeDistance, is_the_least_distance_to_points_of_the_branch) {
+TEST(TubeDistance, is_the_smallest_distance_to_points_of_the_branch) {
   const Curve curve{2, 3};
   for (int i = 0; i < 50; ++i) {
     const double t = 0.13 * i;
@@ -249,14 +250,14 @@ TEST(TubeDistance, is_the_least_distance_to_points_of_the_branch) {
     // Points within the radius of curvature, off the parameter's own plane.
     const Vec3d x = curve_point(curve, t + 0.1).position +
                     Vec3d{std::cos(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)} * 0.1;
-    double least = 10;
+    double min = 10;
     for (int k = -2000; k <= 2000; ++k) {
-      least = std::min(least, length(x - curve_point(curve, t + 2.5e-4 * k).position));
+      min = std::min(min, length(x - curve_point(curve, t + 2.5e-4 * k).position));
     }
     const double d = distance_near(curve, at, t, x);
-    EXPECT_LE(d, least * (1 + 1e-14));
+    EXPECT_LE(d, min * (1 + 1e-14));
     EXPECT_GE(d,
-              least - 1e-5);  // samples are up to 1.25e-4 * |C'| = 4e-4 away: 4e-4^2 / (2 * 0.03)
+              min - 1e-5);  // samples are up to 1.25e-4 * |C'| = 4e-4 away: 4e-4^2 / (2 * 0.03)
   }
 }
 

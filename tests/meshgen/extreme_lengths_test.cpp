@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "meshgen/knot_mesh.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
 
 KnotSpec scaled_knot(double scale) {
   KnotSpec knot;
-  knot.ring_radius *= scale;
-  knot.winding_radius *= scale;
+  knot.major_radius *= scale;
+  knot.minor_radius *= scale;
   knot.tube_radius *= scale;
   knot.segments = 120;
   knot.sides = 12;
@@ -25,14 +25,14 @@ TEST(ExtremeLengths, a_knot_of_another_size_is_the_same_knot) {
     const TriangleMesh mesh = knot_mesh(scaled_knot(scale));
     ASSERT_EQ(mesh.positions.size(), reference.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      // Rounding, which adds up over 120 steps of the frame.
+      // Rounding, which accumulates over 120 steps of the frame.
       ASSERT_LT(length(mesh.positions[i] / scale - reference.positions[i]), 1e-12) << scale;
       ASSERT_LT(length(mesh.normals[i] - reference.normals[i]), 1e-12) << scale;
     }
   }
 }
 
-TEST(ExtremeLengths, what_is_built_has_unit_normals_and_what_is_not_is_an_error) {
+TEST(ExtremeLengths, a_knot_has_unit_normals_or_is_an_error) {
   for (int exponent = -320; exponent <= 308; exponent += 4) {
     const double scale = std::pow(10.0, exponent);
     if (!(scaled_knot(scale).tube_radius > 0)) continue;
@@ -61,7 +61,7 @@ TEST(ExtremeLengths, beyond_double_precision_is_an_error_that_quotes_them) {
 
 TEST(ExtremeLengths, one_huge_length_among_ordinary_ones_is_drawn_or_refused) {
   for (double KnotSpec::* field :
-       {&KnotSpec::ring_radius, &KnotSpec::winding_radius, &KnotSpec::tube_radius}) {
+       {&KnotSpec::major_radius, &KnotSpec::minor_radius, &KnotSpec::tube_radius}) {
     for (const double value : {1e200, 1e300}) {
       KnotSpec knot = scaled_knot(1);
       knot.*field = value;

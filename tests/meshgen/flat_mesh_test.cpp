@@ -102,12 +102,12 @@ TEST(FlatMesh, no_two_vertices_share_position_and_texture_coordinate) {
 
 TEST(FlatMesh, texture_coordinates_run_from_zero_to_the_repeats_exactly) {
   const TriangleMesh mesh = knot_mesh(small_knot());
-  const auto [least_u, most_u] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::u);
-  const auto [least_v, most_v] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::v);
-  EXPECT_EQ(least_u.u, 0);
-  EXPECT_EQ(most_u.u, 12);
-  EXPECT_EQ(least_v.v, 0);
-  EXPECT_EQ(most_v.v, 3);
+  const auto [min_u, max_u] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::u);
+  const auto [min_v, max_v] = std::ranges::minmax(mesh.uvs, {}, &Vec2d::v);
+  EXPECT_EQ(min_u.u, 0);
+  EXPECT_EQ(max_u.u, 12);
+  EXPECT_EQ(min_v.v, 0);
+  EXPECT_EQ(max_v.v, 3);
 }
 
 TEST(FlatMesh, copies_of_a_vertex_differ_by_whole_tiles) {
@@ -122,7 +122,7 @@ TEST(FlatMesh, copies_of_a_vertex_differ_by_whole_tiles) {
     EXPECT_EQ(du, std::round(du));
     EXPECT_EQ(dv, std::round(dv));
   }
-  EXPECT_EQ(copies, 48 + 9 + 1);  // the seam along, the seam around, their crossing once more
+  EXPECT_EQ(copies, 48 + 9 + 1);  // the seam along, the seam around, their crossing once again
 }
 
 TEST(FlatMesh, every_triangle_spans_half_a_grid_cell_of_the_texture) {
@@ -131,14 +131,14 @@ TEST(FlatMesh, every_triangle_spans_half_a_grid_cell_of_the_texture) {
   const TriangleMesh mesh = knot_mesh(knot);
   const double cell = 12.0 / 48 * 3.0 / 9;
   for (const Triangle& t : mesh.triangles) {
-    // Positive: the texture is not mirrored, as triangles are counter-clockwise from outside.
-    // The tolerance is that of a file's single precision: this asks for size and sign.
+    // Positive: the texture is not mirrored, as triangles are counter-clockwise from outside. The
+    // tolerance is that of a file's single precision: this checks size and sign.
     ASSERT_NEAR(uv_area(mesh, t), cell, 1e-7);
   }
 }
 
 TEST(FlatMesh, texture_coordinates_are_the_grid_s_in_double_precision) {
-  // Nothing narrows geometry before a writer does: (i / 48) 12 and (j / 9) 3 to the last bits.
+  // Geometry stays double until it is written: (i / 48) 12 and (j / 9) 3 to the last bits.
   KnotSpec knot = small_knot();
   knot.unwrap = Unwrap::kParameter;
   const TriangleMesh mesh = knot_mesh(knot);

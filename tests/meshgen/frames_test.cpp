@@ -13,7 +13,7 @@
 namespace lumaknot {
 namespace {
 
-constexpr double kRounding = 1e-13;  // a few operations a frame; errors don't add up along it
+constexpr double kRounding = 1e-13;  // a few operations per frame; errors don't accumulate
 constexpr double kPi = std::numbers::pi;
 
 KnotSpec knot_of(int p, int q) {
@@ -45,17 +45,17 @@ TEST(Frames, are_orthonormal_and_one_handed) {
       if (rule == FrameRule::kThree && p == 0) continue;
       for (const Frame& f : frames_of(p, q, 500, rule)) {
         ASSERT_NEAR(length(f.tangent), 1, kRounding);
-        ASSERT_NEAR(length(f.across), 1, kRounding);
-        ASSERT_NEAR(length(f.over), 1, kRounding);
-        ASSERT_NEAR(dot(f.across, f.over), 0, kRounding);
-        ASSERT_NEAR(dot(f.tangent, f.across), 0, kRounding);
-        ASSERT_NEAR(length(cross(f.across, f.tangent) - f.over), 0, kRounding);
+        ASSERT_NEAR(length(f.normal), 1, kRounding);
+        ASSERT_NEAR(length(f.binormal), 1, kRounding);
+        ASSERT_NEAR(dot(f.normal, f.binormal), 0, kRounding);
+        ASSERT_NEAR(dot(f.tangent, f.normal), 0, kRounding);
+        ASSERT_NEAR(length(cross(f.normal, f.tangent) - f.binormal), 0, kRounding);
       }
     }
   }
 }
 
-TEST(Frames, stand_on_the_curve_along_its_tangent) {
+TEST(Frames, are_on_the_curve_along_its_tangent) {
   const Curve line = components(knot_of(5, 2)).front();
   const std::vector<Frame> frames = frames_of(5, 2, 100);
   ASSERT_EQ(frames.size(), 101u);
@@ -72,20 +72,20 @@ TEST(Frames, close_to_less_than_a_billionth_of_a_degree) {
     for (int q = -7; q <= 7; ++q) {
       if (std::gcd(p, q) != 1) continue;
       const std::vector<Frame> frames = frames_of(p, q, 200);
-      const double error = length(frames.front().across - frames.back().across);
+      const double error = length(frames.front().normal - frames.back().normal);
       ASSERT_LT(error * 180 / kPi, 1e-9) << p << "," << q;
     }
   }
 }
 
-TEST(Frames, share_out_the_holonomy_evenly_by_arc_length) {
+TEST(Frames, distribute_the_holonomy_evenly_by_arc_length) {
   for (const auto& [p, q] : kPairs) {
     const Spine spine = spine_of(p, q);
     const std::vector<Frame> frames = frames_of(p, q, 768);
     for (int i = 0; i < 768; ++i) {
       const double way =
           spine.arc_length(ring_parameter(i + 1, 768)) - spine.arc_length(ring_parameter(i, 768));
-      // One step of the double reflection that measures it errs by some (step)^5.
+      // One step of the double reflection that measures it has an error of about (step)^5.
       ASSERT_NEAR(twist_between(frames[std::size_t(i)], frames[std::size_t(i) + 1]),
                   -spine.holonomy() * way / spine.length(), 1e-7)
           << p << "," << q << " ring " << i;
@@ -107,7 +107,7 @@ TEST(Frames, of_double_reflection_converge_to_the_exact_ones_at_order_4) {
       const auto steps = frames_of(p, q, segments, FrameRule::kDoubleReflection);
       double worst = 0;
       for (std::size_t i = 0; i < steps.size(); ++i) {
-        worst = std::max(worst, length(steps[i].across - exact[i].across));
+        worst = std::max(worst, length(steps[i].normal - exact[i].normal));
       }
       return worst;
     };
@@ -118,8 +118,8 @@ TEST(Frames, of_double_reflection_converge_to_the_exact_ones_at_order_4) {
 }
 
 TEST(Frames, holonomy_is_the_total_torsion) {
-  // The rotation-minimising frame turns against the Frenet frame by minus the torsion, and the
-  // Frenet frame of these knots closes: the angle missing is the integral of torsion over the loop.
+  // The rotation-minimising frame turns relative to the Frenet frame by minus the torsion, and the
+  // Frenet frame of these knots closes: the missing angle is the integral of torsion over the loop.
   for (const auto& [p, q] : {std::pair{2, 3}, {3, 2}, {5, 2}, {-3, 5}}) {
     const Curve line = components(knot_of(p, q)).front();
     const int n = 8000;
@@ -128,7 +128,7 @@ TEST(Frames, holonomy_is_the_total_torsion) {
       const CurvePoint point = curve_point(line, ring_parameter(i, n));
       total += torsion(point) * length(point.first) * 2 * kPi / n;
     }
-    // From `across` to `over` is a turn about minus the tangent, hence plus the torsion. The
+    // From normal to binormal is a rotation about minus the tangent, hence plus the torsion. The
     // trapezoid rule is exact to rounding on a smooth closed curve.
     const double holonomy = spine_of(p, q).holonomy();
     EXPECT_NEAR(std::remainder(holonomy + total, 2 * kPi), 0, 1e-9) << p << "," << q;
@@ -141,18 +141,18 @@ TEST(Frames, of_a_mirror_image_close_by_the_opposite_angle) {
 
 TEST(Frames, do_not_depend_on_the_unit_of_length) {
   KnotSpec knot = knot_of(2, 3);
-  knot.ring_radius *= 1e6;
-  knot.winding_radius *= 1e6;
+  knot.major_radius *= 1e6;
+  knot.minor_radius *= 1e6;
   const Spine large(components(knot).front());
   EXPECT_NEAR(large.holonomy(), spine_of(2, 3).holonomy(), kRounding);
   EXPECT_NEAR(large.length() / spine_of(2, 3).length(), 1e6, 1e-6);  // rounding
 }
 
-// What three.js's frames are known to do, from the curve's and the rings' own definitions.
+// Known properties of three.js's frames, from the definitions of the curve and the rings.
 TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
   const auto spine = [](int p, int q) {
     KnotSpec knot = knot_of(p, q);
-    knot.winding_radius = 0.5;
+    knot.minor_radius = 0.5;
     return Spine(components(knot).front());
   };
   const auto three_frames = [](const Spine& s) {
@@ -165,7 +165,7 @@ TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
     for (int i = 0; i < 4000; ++i) {
       const Frame& f = frames[std::size_t(i)];
       const Vec3d tangent = normalize(curve_point(s.curve(), ring_parameter(i, 4000)).first);
-      worst = std::max(worst, std::asin(length(cross(cross(f.over, f.across), tangent))));
+      worst = std::max(worst, std::asin(length(cross(cross(f.binormal, f.normal), tangent))));
     }
     return worst * 180 / kPi;
   };
@@ -185,7 +185,7 @@ std::string refusal(const KnotSpec& knot, FrameRule rule) {
 
 TEST(Frames, of_frenet_are_refused_where_the_curvature_is_zero) {
   KnotSpec knot = knot_of(2, 3);
-  knot.winding_radius = 4.0 / 13;  // w q^2 = (R - w) p^2: no curvature where psi = pi
+  knot.minor_radius = 4.0 / 13;  // w q^2 = (R - w) p^2: no curvature where psi = pi
   EXPECT_LT(curvature(curve_point(components(knot).front(), kPi / 3)), 1e-12);
   EXPECT_THAT(refusal(knot, FrameRule::kFrenet), ::testing::HasSubstr("\"frenet\" are undefined"));
   EXPECT_THAT(refusal(knot, FrameRule::kFrenet), ::testing::HasSubstr("rotation-minimizing"));

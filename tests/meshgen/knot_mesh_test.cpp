@@ -9,7 +9,7 @@
 #include "meshgen/closed_mesh.h"
 #include "meshgen/knot_mesh.h"
 #include "meshgen/measure.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
@@ -25,7 +25,7 @@ KnotSpec knot_of(int p, int q, int segments, int sides) {
 
 ClosedMesh closed(const KnotSpec& knot) { return closed_mesh(knot, knot_mesh(knot)); }
 
-/// Pappus: a tube's cross-section times the way of its centre.
+/// Pappus: a tube's cross-section times the path length of its centre.
 double pappus_volume(const KnotSpec& knot) {
   double length = 0;
   for (const Curve& line : components(knot)) length += Spine(line).length();
@@ -34,7 +34,7 @@ double pappus_volume(const KnotSpec& knot) {
 
 TEST(KnotMesh, trefoil_tube_is_closed_with_genus_one) {
   const ClosedMesh mesh = closed(KnotSpec{});
-  const std::vector<Piece> all = pieces(mesh);
+  const std::vector<ConnectedComponent> all = connected_components(mesh);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].euler_characteristic(), 0);
   EXPECT_EQ(all[0].genus(), 1);
@@ -43,14 +43,15 @@ TEST(KnotMesh, trefoil_tube_is_closed_with_genus_one) {
   EXPECT_EQ(mesh.n_faces(), 61'440u);
 }
 
-TEST(KnotMesh, every_knot_and_link_is_closed_with_genus_one_a_component) {
+TEST(KnotMesh, every_knot_and_link_is_closed_with_genus_one_per_component) {
   for (int p = -6; p <= 6; ++p) {
     for (int q = -6; q <= 6; ++q) {
       if (p == 0 && q == 0) continue;
       for (const auto& [segments, sides] : {std::pair{3, 3}, {4, 7}, {60, 5}}) {
-        const std::vector<Piece> all = pieces(closed(knot_of(p, q, segments, sides)));
+        const std::vector<ConnectedComponent> all =
+            connected_components(closed(knot_of(p, q, segments, sides)));
         ASSERT_EQ(all.size(), std::size_t(std::gcd(p, q))) << p << "," << q;
-        for (const Piece& piece : all) {
+        for (const ConnectedComponent& piece : all) {
           ASSERT_EQ(piece.faces, 2 * segments * sides) << p << "," << q;
           ASSERT_EQ(piece.euler_characteristic(), 0) << p << "," << q;
           ASSERT_EQ(piece.genus(), 1) << p << "," << q;
@@ -85,8 +86,8 @@ TEST(KnotMesh, volume_converges_to_pappus_at_order_2) {
     const double coarse = error(240, 12), middle = error(480, 24), fine = error(960, 48);
     EXPECT_NEAR(std::log2(coarse / middle), 2, 0.1) << p << "," << q;  // higher terms: h^4
     EXPECT_NEAR(std::log2(middle / fine), 2, 0.05) << p << "," << q;
-    // An n-gon misses the share (2 pi / n)^2 / 6 of its circle, 0.29 % at 48; the chords along
-    // the knot add less than that.
+    // An n-gon misses the share (2 pi / n)^2 / 6 of its circle, 0.29 % at 48; the chords along the
+    // knot add less than that.
     EXPECT_LT(fine, 0.006) << p << "," << q;
   }
 }
@@ -151,7 +152,7 @@ TEST(KnotMesh, is_the_same_to_the_bit_each_time) {
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-TEST(KnotMesh, a_spec_that_makes_no_knot_is_refused) {
+TEST(KnotMesh, an_invalid_spec_is_refused) {
   EXPECT_THROW(knot_mesh(knot_of(0, 0, 10, 10)), Error);
   EXPECT_THROW(knot_mesh(knot_of(2, 3, 2, 10)), Error);
   EXPECT_THROW(knot_mesh(knot_of(2, 3, 10, 2)), Error);

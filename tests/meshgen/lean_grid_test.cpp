@@ -10,7 +10,7 @@
 
 #include "meshgen/deviation.h"
 #include "meshgen/tube_distance.h"
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 namespace {
@@ -28,12 +28,12 @@ long long quads(int segments, int sides) { return static_cast<long long>(segment
 
 long long quads(const LeanGrid& grid) { return quads(grid.segments, grid.sides); }
 
-/// Refuses grids of a tube by points on and beside the quads' diagonals: where triangles are right
-/// angled or a little less they are worst there. Begins where the last grid failed.
+/// Refuses grids of a tube by points on and next to the quads' diagonals: right-angled or slightly
+/// acute triangles are worst there. Begins where the last grid failed.
 class Refusal {
  public:
   Refusal(const TubeSurface& surface, double max_error)
-      : surface_(surface), most_(max_error * (1 + 1e-9)) {}
+      : surface_(surface), max_(max_error * (1 + 1e-9)) {}
 
   bool refuses(int segments, int sides) {
     for (int k = 0; k < segments; ++k) {
@@ -52,7 +52,8 @@ class Refusal {
     const double t = ring_parameter(i, segments), h = 2 * kPi / segments;
     const auto vertex = [&](const Frame& frame, int j) {
       const double theta = 2 * kPi * j / sides, r = surface_.tube_radius();
-      return frame.position + (frame.across * std::cos(theta) + frame.over * std::sin(theta)) * r;
+      return frame.position +
+             (frame.normal * std::cos(theta) + frame.binormal * std::sin(theta)) * r;
     };
     for (int j = 0; j < sides; ++j) {
       const Vec3d diagonal = (vertex(a, j) + vertex(b, j + 1)) * 0.5;
@@ -68,26 +69,26 @@ class Refusal {
   bool off(double t, const Vec3d& x) const {
     const Curve& curve = surface_.spine().curve();
     const double d = distance_near(curve, curve_point(curve, t), t, x);
-    return std::abs(d - surface_.tube_radius()) > most_;
+    return std::abs(d - surface_.tube_radius()) > max_;
   }
 
   const TubeSurface& surface_;
-  double most_;
+  double max_;
   double where_ = 0;
 };
 
-/// Whether the grid is within the error and before `best`.
+/// Whether the grid is within the error and better than `best`.
 bool beats(const TubeSurface& surface, int segments, int sides, const LeanGrid& best,
            double max_error) {
   const double chord = measured_chord(surface, segments, sides);
   return chord <= max_error && (quads(segments, sides) < quads(best) || chord < best.chord);
 }
 
-/// How many grids of at most as many quads are better, of all that there are.
+/// The number of better grids among all those with at most as many quads.
 int better_grids(const TubeSurface& surface, const LeanGrid& best, double max_error) {
   std::atomic<int> better = 0;
   oneapi::tbb::parallel_for(3, int(quads(best) / 3) + 1, [&](int sides) {
-    // No number of segments mends a ring's polygon.
+    // No number of segments reduces the error of a ring's polygon.
     if (surface.tube_radius() * (1 - std::cos(kPi / sides)) > max_error * (1 + 1e-9)) return;
     Refusal refusal(surface, max_error);
     for (int segments = 3; quads(segments, sides) <= quads(best); ++segments) {
@@ -124,7 +125,7 @@ TEST_P(LeanGridOf, is_beaten_by_no_grid_of_half_to_twice_the_sides) {
     const LeanGrid best = lean_grid(surface_, e);
     Refusal refusal(surface_, e);
     for (int sides = best.sides / 2; sides <= 2 * best.sides; ++sides) {
-      // The most segments that still make a leaner grid; a twisted tube fails with fewer as well.
+      // The maximum number of segments of a leaner grid; a twisted tube also fails with fewer.
       const int segments = int((quads(best) - 1) / sides);
       if (refusal.refuses(segments, sides)) continue;
       EXPECT_FALSE(beats(surface_, segments, sides, best, e)) << segments << " x " << sides;
@@ -145,13 +146,13 @@ TEST(LeanGrid, of_an_error_beyond_the_knot_is_the_smallest) {
   EXPECT_EQ(grid.sides, 3);
 }
 
-TEST(LeanGrid, tells_its_progress) {
+TEST(LeanGrid, reports_its_progress) {
   const Spine spine{Curve{}};
-  std::vector<double> told;
-  lean_grid({spine, 0.18}, 1e-3, [&](double share) { told.push_back(share); });
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_EQ(told.front(), 0);
-  EXPECT_EQ(told.back(), 1);
+  std::vector<double> reported;
+  lean_grid({spine, 0.18}, 1e-3, [&](double share) { reported.push_back(share); });
+  EXPECT_TRUE(std::ranges::is_sorted(reported));
+  EXPECT_EQ(reported.front(), 0);
+  EXPECT_EQ(reported.back(), 1);
 }
 
 TEST(LeanGrid, errors_name_the_value_and_the_remedy) {

@@ -5,7 +5,7 @@
 namespace lumaknot {
 namespace {
 
-/// The tetrahedron of the origin and the three unit points, outward.
+/// The tetrahedron of the origin and the three unit points, facing outward.
 ClosedMesh corner_tetrahedron() {
   ClosedMesh mesh;
   const auto o = mesh.add_vertex({0, 0, 0}), x = mesh.add_vertex({1, 0, 0});
@@ -19,7 +19,7 @@ ClosedMesh corner_tetrahedron() {
 
 TEST(Measure, a_tetrahedron_is_a_sphere) {
   const ClosedMesh mesh = corner_tetrahedron();
-  const std::vector<Piece> all = pieces(mesh);
+  const std::vector<ConnectedComponent> all = connected_components(mesh);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].euler_characteristic(), 2);
   EXPECT_EQ(all[0].genus(), 0);
@@ -45,17 +45,17 @@ TEST(Measure, a_hole_shows_as_boundary) {
   const auto c = mesh.add_vertex({0, 1, 0}), d = mesh.add_vertex({1, 1, 0});
   mesh.add_face(a, b, c);
   mesh.add_face(b, d, c);
-  const std::vector<Piece> all = pieces(mesh);
+  const std::vector<ConnectedComponent> all = connected_components(mesh);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].boundary_edges, 4);
   EXPECT_EQ(all[0].euler_characteristic(), 1);  // a disc
 }
 
-TEST(Measure, pieces_are_counted_apart) {
+TEST(Measure, components_are_counted_separately) {
   ClosedMesh mesh = corner_tetrahedron();
   const auto a = mesh.add_vertex({5, 0, 0}), b = mesh.add_vertex({6, 0, 0});
   mesh.add_face(a, b, mesh.add_vertex({5, 1, 0}));
-  const std::vector<Piece> all = pieces(mesh);
+  const std::vector<ConnectedComponent> all = connected_components(mesh);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].faces, 4);
   EXPECT_EQ(all[0].edges, 6);

@@ -9,12 +9,12 @@ namespace {
 
 /// The largest of n samples over half a period of the meridian angle.
 double sampled_curvature(const Curve& curve, int n) {
-  double most = 0;
+  double max = 0;
   for (int i = 0; i <= n; ++i) {
     const double psi = std::numbers::pi * i / n;
-    most = std::max(most, curvature(curve_point(curve, (psi - curve.meridian) / curve.q)));
+    max = std::max(max, curvature(curve_point(curve, (psi - curve.meridian) / curve.q)));
   }
-  return most;
+  return max;
 }
 
 TEST(SharpestBend, agrees_with_dense_samples) {
@@ -32,9 +32,9 @@ TEST(SharpestBend, agrees_with_dense_samples) {
   }
 }
 
-TEST(SharpestBend, of_a_steep_curve_is_beside_the_axis) {
-  // A thousand turns about the axis in one through the hole: one part in a thousand of the meridian
-  // holds the bend.
+TEST(SharpestBend, of_a_steep_curve_is_near_the_axis) {
+  // A thousand turns about the axis for one through the hole: the bend takes one thousandth of the
+  // meridian.
   const Curve curve{1000, 1, 1, 1};
   const Bend bend = sharpest_bend(curve);
   const Vec3d place = curve_point(curve, bend.t).position;

@@ -1,9 +1,9 @@
-// Holds `mesh --convention babylon` to Babylon.js's CreateTorusKnotVertexData: every vertex and
+// Compares `mesh --convention babylon` with Babylon.js's CreateTorusKnotVertexData: every vertex and
 // index, in order.
 //
 //     node babylon_test.mjs LUMAKNOT
 //
-// LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are told; 3: no Babylon.js.
+// LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are printed; 3: no Babylon.js.
 import {agree, allAgree, importPeer, ourKnot} from './knots.mjs';
 
 const {CreateTorusKnotVertexData} =

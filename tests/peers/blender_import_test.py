@@ -1,8 +1,8 @@
-"""Reads our mesh files with Blender's own importers and compares all that they read.
+"""Reads our mesh files with Blender's own importers and compares everything that they read.
 
     blender_import_test.py LUMAKNOT
 
-LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are told; 3: no Blender.
+LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are printed; 3: no Blender.
 """
 
 import sys
@@ -14,32 +14,32 @@ from typing import Callable
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import peers  # noqa: E402  (it lies beside this script)
+import checks  # noqa: E402  (it is next to this script)
 
-np = peers.np
+np = checks.np
 # Blender 3.4's glTF importer says np.bool, which Debian 12's numpy 1.24 no longer has.
 if "bool" not in vars(np):
     np.bool = bool
 
 MERGE = 1e-6  # scene units: a seam's vertices are the same, others are a thousand times as far
-# The turn from glTF's +Y up is a quaternion of float32: a step or two of coordinates below 2.
+# The rotation from glTF's +Y up is a float32 quaternion: a step or two of coordinates below 2.
 TURNED = 5e-7
 # Blender keeps a custom normal as two angles of 16 bits from the normal that it computes itself:
-# half a step of pi / 32767 = 1e-4 each. Of a face that is smooth its own normal may be ours, and
-# then the arc cosine of a float32 one step below 1 makes an angle of sqrt(2 * 2^-24) = 3.5e-4.
+# half a step of pi / 32767 = 1e-4 each. A smooth face's own normal may equal ours, and then the
+# arc cosine of a float32 one step below 1 is an angle of sqrt(2 * 2^-24) = 3.5e-4.
 NORMAL = 1e-4
 SMOOTH_NORMAL = NORMAL + 3.5e-4
 # Texture coordinates of glTF are 1 - v twice, in float32 numbers below 2.
 FLIPPED = 3e-7
-# Of the volume: positions are float32, 6e-8 of their size of some ten tubes, and so are the sums.
+# Of the volume: positions are float32, 6e-8 of their size of about ten tubes, and so are the sums.
 VOLUME = 1e-6
-# Blender's tangents lie across its normals, and are weighted by angles seen along these.
+# Blender's tangents are normal to its normals, and are weighted by angles seen along these.
 TANGENT = 2 * SMOOTH_NORMAL
 
 
 @dataclass
 class Knot:
-    """Flags of a mesh and what follows from them."""
+    """Flags of a mesh and the resulting counts."""
     p: int
     q: int
     segments: int
@@ -54,17 +54,17 @@ class Knot:
                 "--tube", 0.125, "--repeat-u", self.repeat)
 
     def flags(self):
-        """What not every format has."""
+        """The flags that not every format supports."""
         return ["--quads"] * self.quads + ["--tangents"] * self.tangents
 
     @property
     def pieces(self):
-        """Its components."""
+        """The number of its components."""
         return gcd(self.p, self.q)
 
     @property
     def sewn(self):
-        """Its vertices without those that the seams have twice."""
+        """The number of its vertices without the seams' duplicates."""
         return self.pieces * self.segments * self.sides
 
     def __str__(self):
@@ -79,23 +79,23 @@ TANGENTS = Knot(2, 3, 96, 16, 2, tangents=True)
 
 @dataclass
 class Importer:
-    """One of Blender's, and what its format carries."""
+    """One of Blender's importers, and what its format supports."""
     name: str
     suffix: str
     read: Callable
-    sewn: bool = False  # whether a position is there once
+    sewn: bool = False  # whether positions are unique
     uvs: bool = True
-    normals: float = SMOOTH_NORMAL  # tolerance; 0 when there are none
+    normals: float = SMOOTH_NORMAL  # tolerance; 0 if absent
     quads: bool = False
     turned: bool = False  # whether the object has a rotation
 
 
 def importers():
-    """All that read our formats; some of Blender 3 are in Python. That of .obj left with 4.0."""
+    """All that read our formats; some of Blender 3 are in Python. That of .obj ended with 4.0."""
     import bpy
     built_in = dir(bpy.ops.wm)
-    # Faces of .obj files are flat in Blender 3.4 and smooth, as the other formats', in 4.3, without
-    # auto smooth: 7.5e-5 and 3.1e-4.
+    # Faces of .obj files are flat in Blender 3.4 and smooth, like the other formats', in 4.3,
+    # without auto smooth: 7.5e-5 and 3.1e-4.
     flat = bpy.app.version < (4, 1)
     yield Importer(".obj", ".obj", lambda path: bpy.ops.wm.obj_import(
         filepath=path, forward_axis="Y", up_axis="Z"), sewn=True,
@@ -118,7 +118,7 @@ def importers():
 
 
 def imported(importer, path):
-    """The one mesh object that the file gives in an empty scene."""
+    """The one mesh object of the file, read into an empty scene."""
     import bpy
     for other in list(bpy.data.objects):
         bpy.data.objects.remove(other)
@@ -129,14 +129,14 @@ def imported(importer, path):
 
 
 def column(collection, name, width):
-    """An attribute of each element of a mesh's collection, a row each."""
+    """An attribute of each element of a mesh's collection, one row each."""
     values = np.empty(width * len(collection), np.float32)
     collection.foreach_get(name, values)
     return values.reshape(-1, width) if width > 1 else values
 
 
 def loop_normals(mesh):
-    """The normals of its faces' corners, a row each."""
+    """The normals of its faces' corners, one row each."""
     import bpy
     if bpy.app.version >= (4, 1):
         return column(mesh.corner_normals, "vector", 3)
@@ -153,7 +153,7 @@ class Corners:
     tangents: np.ndarray = None  # the fourth is the sign
 
     def turned(self, steps):
-        """Each face `steps` corners on."""
+        """Each face rotated by `steps` corners."""
         columns = (np.arange(self.positions.shape[1]) + steps[:, None]) % self.positions.shape[1]
         rows = np.arange(len(steps))[:, None]
         return Corners(*(None if each is None else each[rows, columns] for each in (
@@ -161,7 +161,7 @@ class Corners:
 
 
 def our_corners(mesh, tangents=None):
-    """The corners of a peers.Mesh."""
+    """The corners of a checks.Mesh."""
     return Corners(mesh.positions[mesh.faces], mesh.normals[mesh.faces], mesh.uvs[mesh.faces],
                    None if tangents is None else tangents[mesh.faces])
 
@@ -188,7 +188,7 @@ def blender_corners(thing, importer, tangents):
 
 
 def aligned(theirs, ours):
-    """`theirs` with each face begun where its positions are nearest to ours."""
+    """`theirs` with each face starting where its positions are nearest to ours."""
     count = ours.positions.shape[1]
     apart = [np.abs(np.roll(theirs.positions, -step, axis=1) - ours.positions).max(axis=(1, 2))
              for step in range(count)]
@@ -196,7 +196,7 @@ def aligned(theirs, ours):
 
 
 def check_corners(importer, knot, theirs, ours, report):
-    """Attribute by attribute; returns the largest differences as text."""
+    """Compares attribute by attribute; returns the largest differences as text."""
     what = f"{importer.name}: {knot}"
     if theirs.positions.shape != ours.positions.shape:
         report.equal(theirs.positions.shape, ours.positions.shape, f"{what}: faces and corners")
@@ -241,7 +241,7 @@ def euler_characteristics(surface):
 
 
 def check_surface(importer, knot, thing, volume, report):
-    """Closed, manifold, tori, outward and of our volume, once a place has one vertex."""
+    """Closed, manifold, tori, outward and of our volume, once equal positions are merged."""
     import bmesh
     what = f"{importer.name}: {knot}"
 
@@ -267,22 +267,22 @@ def check_surface(importer, knot, thing, volume, report):
 
 
 def reference(importer, knot, program, folder):
-    """Our own corners, with tangents out of a .glb file, and how many vertices the file has."""
+    """Our own corners, with tangents from a .glb file, and the file's number of vertices."""
     quads = ["--quads"] * knot.quads
-    mesh = peers.knot(program, folder, *knot.arguments(), *quads)
+    mesh = checks.knot(program, folder, *knot.arguments(), *quads)
     count = knot.sewn if importer.sewn else len(mesh.positions)
     if not knot.tangents:
         return our_corners(mesh), count
-    path = peers.write_knot(program, folder / "tangents.glb", *knot.arguments(), "--tangents")
-    return our_corners(mesh, peers.glb_tangents(path)), count
+    path = checks.write_knot(program, folder / "tangents.glb", *knot.arguments(), "--tangents")
+    return our_corners(mesh, checks.glb_tangents(path)), count
 
 
 def compare(importer, knot, program, folder, report):
     """One file through one importer."""
     what = f"{importer.name}: {knot}"
-    path = peers.write_knot(program, folder / f"knot{importer.suffix}", *knot.arguments(),
+    path = checks.write_knot(program, folder / f"knot{importer.suffix}", *knot.arguments(),
                             *knot.flags())
-    volume = peers.lumaknot(program, "mesh", *knot.arguments(), "--measure")["volume"]
+    volume = checks.lumaknot(program, "mesh", *knot.arguments(), "--measure")["volume"]
     ours, vertices = reference(importer, knot, program, folder)
     thing = imported(importer, path)
     report.equal(len(thing.data.vertices), vertices, f"{what}: vertices")
@@ -296,8 +296,8 @@ def compare(importer, knot, program, folder, report):
 
 
 def main(program):
-    """Inside Blender."""
-    report = peers.Report()
+    """Runs inside Blender."""
+    report = checks.Report()
     with tempfile.TemporaryDirectory() as folder:
         for importer in importers():
             knots = [*KNOTS, *([QUADS] if importer.quads else []),
@@ -310,4 +310,4 @@ def main(program):
 if __name__ == "__main__":
     if "bpy" in sys.modules:
         sys.exit(main(sys.argv[sys.argv.index("--") + 1]))
-    sys.exit(peers.run_in_blender(__file__, sys.argv[1:]))
+    sys.exit(checks.run_in_blender(__file__, sys.argv[1:]))

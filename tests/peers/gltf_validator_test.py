@@ -1,9 +1,9 @@
-"""Lets Khronos' validator judge our .glb and .gltf files, meshes and whole scenes.
+"""Checks our .glb and .gltf files, meshes and whole scenes, with Khronos' validator.
 
     gltf_validator_test.py LUMAKNOT
 
-LUMAKNOT is the program. Exit status 0: no errors and no warnings; 1: the messages are told; 3: no
-node or no validator.
+LUMAKNOT is the program. Exit status 0: no errors and no warnings; 1: the messages are printed; 3:
+no node or no validator.
 """
 
 import json
@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import peers  # noqa: E402  (it lies beside this script)
+import checks  # noqa: E402  (it is next to this script)
 
 MESHES = {"knot": (), "tangents": ("--tangents",), "link": ("--p", 4, "--q", 6, "--tangents"),
           "three": ("--convention", "three"), "babylon": ("--convention", "babylon"),
@@ -41,15 +41,15 @@ def write_scene(program, folder, name, suffix):
         source = folder / f"{name}.json"
         source.write_text(json.dumps(SCENES[name]), encoding="ascii")
     path = folder / f"scene {name}{suffix}"
-    peers.lumaknot(program, "export", source, "-o", path)
+    checks.lumaknot(program, "export", source, "-o", path)
     return path
 
 
 def files(program, folder):
-    """Writes all; yields their paths."""
+    """Writes all files; yields their paths."""
     for suffix in SUFFIXES:
         for name, flags in MESHES.items():
-            yield peers.write_knot(program, folder / f"{name}{suffix}", *flags)
+            yield checks.write_knot(program, folder / f"{name}{suffix}", *flags)
         for name in ("figure2", *SCENES):
             yield write_scene(program, folder, name, suffix)
 
@@ -58,12 +58,12 @@ def main(arguments):
     """The command line."""
     if len(arguments) != 1:
         sys.exit(__doc__)
-    peers.need("node", "nodejs")
+    checks.need("node", "nodejs")
     judge = Path(__file__).with_name("validate_gltf.mjs")
     with tempfile.TemporaryDirectory() as folder:
         paths = list(files(arguments[0], Path(folder)))
-        environment = {**os.environ, "LUMAKNOT_PEERS": str(peers.peers_folder())}
-        done = subprocess.run(["node", judge, *paths], env=environment, timeout=peers.SECONDS)
+        environment = {**os.environ, "LUMAKNOT_PEERS": str(checks.peers_folder())}
+        done = subprocess.run(["node", judge, *paths], env=environment, timeout=checks.SECONDS)
     print(f"{len(paths)} files")
     return done.returncode
 

@@ -1,4 +1,4 @@
-// What the tests of other libraries' knots share: our mesh, theirs, and what differs.
+// Shared by the tests of other libraries' knots: our mesh, theirs, and the differences.
 import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import os from 'node:os';
@@ -10,11 +10,11 @@ function peersFolder() {
   return process.env.LUMAKNOT_PEERS || path.join(cache, 'lumaknot/peers');
 }
 
-// The module in the file `name` of a package of scripts/install-peers. Ends with 3 without it.
+// The module in the file `name` of a package of scripts/install-peers. Exits with 3 if absent.
 export async function importPeer(name) {
   const file = path.join(peersFolder(), 'node_modules', name);
   if (!existsSync(file)) {
-    console.error(`${file} is not here; scripts/install-peers gets it`);
+    console.error(`${file} not found; install with scripts/install-peers`);
     process.exit(3);
   }
   return import(pathToFileURL(file));
@@ -73,7 +73,7 @@ function readPly(file) {
   };
 }
 
-// The mesh that `program` makes with these arguments.
+// The mesh that `program` builds with these arguments.
 export function ourKnot(program, options) {
   const folder = mkdtempSync(path.join(os.tmpdir(), 'lumaknot-'));
   try {
@@ -99,24 +99,24 @@ function worst(ours, theirs) {
   return {at, size};
 }
 
-// Compares attribute by attribute and tells; whether all are within `tolerances`, by name.
+// Compares attribute by attribute and prints; whether all are within `tolerances`, by name.
 export function agree(label, ours, theirs, tolerances) {
   let good = true;
-  const told = [];
+  const sizes = [];
   for (const [name, tolerance] of Object.entries(tolerances)) {
     const {at, size} = worst(ours[name], theirs[name]);
-    told.push(`${name} ${size.toExponential(1)}`);
+    sizes.push(`${name} ${size.toExponential(1)}`);
     if (size <= tolerance) continue;
     good = false;
     console.log(`${label}: ${name}[${at}] of ${ours[name].length}, ${theirs[name].length}: ours ` +
                 `${ours[name][at]}, theirs ${theirs[name][at]}, beyond ${tolerance}`);
   }
   console.log(`${label}: ${ours.positions.length / 3} vertices, ${ours.indices.length / 3} ` +
-              `triangles; largest differences: ${told.join(', ')}`);
+              `triangles; largest differences: ${sizes.join(', ')}`);
   return good;
 }
 
-// Whether `agrees(knot)` of all knots, telling errors and how many.
+// Whether `agrees(knot)` for all knots; prints errors and the count.
 export function allAgree(knots, agrees, name) {
   const good = knots.filter((knot) => {
     try {

@@ -2,7 +2,7 @@
 
     meshio_test.py LUMAKNOT
 
-LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are told; 3: no meshio.
+LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are printed; 3: no meshio.
 """
 
 import sys
@@ -10,15 +10,15 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import peers  # noqa: E402  (it lies beside this script)
+import checks  # noqa: E402  (it is next to this script)
 
-np = peers.np
+np = checks.np
 
 KNOTS = {"(2,3)": ("--segments", 120, "--sides", 16),
          "(4,6)": ("--p", 4, "--q", 6, "--segments", 50, "--sides", 7, "--tube", 0.05),
          "small": ("--ring", 1e-5, "--winding", 4e-6, "--tube", 1e-6, "--segments", 60,
                    "--sides", 5)}
-# Suffix, flags of the format, whether positions are there once. meshio finds those of .stl.
+# Suffix, flags of the format, whether positions are unique. meshio merges those of .stl.
 FORMATS = ((".obj", (), True), (".obj", ("--quads",), True), (".ply", (), False),
            (".ply", ("--quads",), False), (".ply", ("--ascii",), False),
            (".ply", ("--ascii", "--quads"), False), (".stl", (), True),
@@ -26,12 +26,12 @@ FORMATS = ((".obj", (), True), (".obj", ("--quads",), True), (".ply", (), False)
 
 
 def sewn(positions):
-    """How many different positions there are."""
+    """The number of distinct positions."""
     return len(np.unique(positions, axis=0))
 
 
 def check_values(read, ours, what, report):
-    """PLY's normals and texture coordinates, which meshio keeps by their names."""
+    """PLY's normals and texture coordinates, which meshio stores by name."""
     for index, name in enumerate(("nx", "ny", "nz")):
         report.near(read.point_data[name], ours.normals[:, index], 0, f"{what}: {name}")
     for index, name in enumerate(("s", "t")):
@@ -39,11 +39,11 @@ def check_values(read, ours, what, report):
 
 
 def readable(path):
-    """The file, or where meshio needs it a copy that it can read.
+    """The file, or a copy that meshio can read if it can't read the file.
 
     It gives each position of an .obj file the texture coordinate and normal of the same number,
-    and refuses files that have more of them, as files with seams do. It never reads the indices
-    of those, so all that is lost is what it can't keep.
+    and refuses files that have more of them, as files with seams do. It never reads their indices,
+    so the copy only lacks what meshio can't store.
     """
     if path.suffix != ".obj":
         return path
@@ -55,11 +55,11 @@ def readable(path):
 
 
 def compare(meshio, program, folder, name, suffix, flags, once, report):
-    """One file."""
+    """Compares one file."""
     what = " ".join([name, suffix, *flags])
     quads = ["--quads"] if "--quads" in flags else []
-    ours = peers.knot(program, folder, *KNOTS[name], *quads)
-    path = peers.write_knot(program, folder / f"knot{suffix}", *KNOTS[name], *flags)
+    ours = checks.knot(program, folder, *KNOTS[name], *quads)
+    path = checks.write_knot(program, folder / f"knot{suffix}", *KNOTS[name], *flags)
     read = meshio.read(readable(path))
     kind = "quad" if quads else "triangle"
     report.equal([block.type for block in read.cells], [kind], f"{what}: kinds of faces")
@@ -79,9 +79,9 @@ def main(arguments):
     try:
         import meshio
     except ImportError:
-        print("meshio is not here; scripts/install tests gets it", file=sys.stderr)
+        print("meshio not found; install with scripts/install tests", file=sys.stderr)
         return 3
-    report = peers.Report()
+    report = checks.Report()
     with tempfile.TemporaryDirectory() as folder:
         for name in KNOTS:
             for suffix, flags, once in FORMATS:

@@ -1,9 +1,9 @@
-// Holds `mesh --convention three` to three.js's TorusKnotGeometry: every vertex and index, in
+// Compares `mesh --convention three` with three.js's TorusKnotGeometry: every vertex and index, in
 // order.
 //
 //     node three_test.mjs LUMAKNOT
 //
-// LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are told; 3: no three.js.
+// LUMAKNOT is the program. Exit status 0: all agree; 1: the differences are printed; 3: no three.js.
 import {agree, allAgree, importPeer, ourKnot} from './knots.mjs';
 
 const {TorusKnotGeometry} = await importPeer('three/src/geometries/TorusKnotGeometry.js');
@@ -32,8 +32,8 @@ const KNOTS = [
   [13, 11, 1.7, 0.06, 1000, 10],
 ];
 
-// Times the radius for positions. three.js narrows what it computed to float32 and so does the
-// file, which is a step between two neighbours, 1.2e-7 of 1 and 2.4e-7 of 2, where they disagree.
+// Times the radius for positions. three.js narrows its result to float32 and so does the file,
+// which is a step between neighbours, 1.2e-7 of 1 and 2.4e-7 of 2, where they disagree.
 const TOLERANCE = 1e-6;
 
 function theirKnot(arguments_) {

@@ -1,9 +1,9 @@
-// Judges glTF files with Khronos' validator (npm's gltf-validator).
+// Checks glTF files with Khronos' validator (npm's gltf-validator).
 //
 //     LUMAKNOT_PEERS=FOLDER node validate_gltf.mjs FILE...
 //
-// FOLDER holds node_modules/gltf-validator. Prints each message. Ends with 1 when a file has an
-// error or a warning, 2 on wrong use, 3 when the validator is not there.
+// FOLDER holds node_modules/gltf-validator. Prints each message. Exits with 1 when a file has
+// an error or a warning, 2 on wrong use, 3 when the validator is missing.
 import {readFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 import path from 'node:path';
@@ -16,13 +16,13 @@ function loadValidator() {
   return createRequire(path.resolve(folder, 'here.js'))('gltf-validator');
 }
 
-// The validator's report on `file`, with the files that it names beside it.
+// The validator's report on `file`, with the files that it refers to.
 async function reportOn(validator, file) {
-  const beside = (uri) => readFile(path.resolve(path.dirname(file), decodeURIComponent(uri)));
+  const referenced = (uri) => readFile(path.resolve(path.dirname(file), decodeURIComponent(uri)));
   return validator.validateBytes(new Uint8Array(await readFile(file)), {
     uri: path.basename(file),
     maxIssues: 100,
-    externalResourceFunction: async (uri) => new Uint8Array(await beside(uri)),
+    externalResourceFunction: async (uri) => new Uint8Array(await referenced(uri)),
   });
 }
 

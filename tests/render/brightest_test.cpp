@@ -1,9 +1,9 @@
 // The brightest light that a scene may have, in each space and model.
 #include <gtest/gtest.h>
 
-#include "render/render.h"
+#include "render/reference.h"
 #include "scene/fields.h"
-#include "tests/render/fast_testing.h"
+#include "tests/render/fast/testing.h"
 
 namespace lumaknot {
 namespace {

@@ -1,16 +1,15 @@
-// What a scene does not need is left out of its shader (Keep::kNeeded), and no pixel changes: the
-// picture that the shader's graph computes is the one that render() draws with every term written
-// out.
+// What a scene does not need is omitted from its shader (Keep::kNeeded), and no pixel changes: the
+// shader's graph computes the picture that render() draws with every term written out.
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "meshgen/knot_mesh.h"
-#include "render/render.h"
+#include "render/reference.h"
 #include "render/texture.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
-#include "tests/shaders/evaluate.h"
+#include "tests/shaders/graph/evaluate.h"
 
 namespace lumaknot {
 namespace {
@@ -27,7 +26,7 @@ Scene knot_scene() {
 
 struct Dropped {
   std::string what;
-  std::function<void(Scene&)> apply;  ///< makes the scene one that does not need it
+  std::function<void(Scene&)> apply;  ///< changes the scene so that it does not need the term
 };
 
 /// Every term that a scene can do without; the last leaves out all at once.

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "render/rasterizer.h"
-#include "tests/render/render_testing.h"
+#include "tests/render/testing.h"
 
 namespace lumaknot {
 namespace {
@@ -21,7 +21,7 @@ Vec3d seen_at(const Camera& camera, double x, double y, double depth) {
   return camera.position + testing::world_ray(camera, kSize, kSize, x, y) * depth;
 }
 
-/// Draws the triangles alone and expects each sample in exactly one.
+/// Draws each triangle alone and expects each sample in exactly one.
 void expect_a_partition(const TriangleMesh& mesh, const Camera& camera) {
   const std::vector<int> counts = testing::times_drawn(mesh, camera, kSize, kSize);
   for (int y = 0; y < kSize; ++y) {

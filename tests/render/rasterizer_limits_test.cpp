@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "render/rasterizer.h"
-#include "tests/render/render_testing.h"
+#include "tests/render/testing.h"
 
 namespace lumaknot {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "render/rasterizer.h"
-#include "tests/render/render_testing.h"
+#include "tests/render/testing.h"
 
 namespace lumaknot {
 namespace {
@@ -16,7 +16,7 @@ using testing::Random;
 constexpr int kWidth = 48, kHeight = 36;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What the rays say of one sample.
+/// The rays' result for one sample.
 struct Answer {
   std::int64_t triangle = -1;
   Hit hit{kInfinity, {}};
@@ -91,7 +91,7 @@ int expect_what_the_rays_see(const TriangleMesh& mesh, const Camera& camera) {
   return covered;
 }
 
-/// `count` triangles whose corners lie about `center`, `size` apart.
+/// `count` triangles whose corners are around `center`, `size` apart.
 TriangleMesh soup(Random& random, int count, double extent, double size) {
   TriangleMesh mesh;
   for (int i = 0; i < count; ++i) {
@@ -111,7 +111,7 @@ TEST(Rasterizer, sees_what_rays_see_of_triangles_in_front) {
 }
 
 TEST(Rasterizer, sees_what_rays_see_of_triangles_all_round_the_eye) {
-  // The eye is in the middle of the soup: most triangles cross its plane or lie behind it.
+  // The eye is in the middle of the soup: most triangles cross its plane or are behind it.
   const Camera camera{.position = {0, 0, 0}, .target = {0.3, 1, 0.2}, .fov_degrees = 100};
   Random random(12);
   for (int trial = 0; trial < 10; ++trial) {

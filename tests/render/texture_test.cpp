@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/render/render_testing.h"
+#include "tests/render/testing.h"
 
 namespace lumaknot {
 namespace {
 
-/// Values that name their texel, and are no linear function of it.
+/// Values that identify their texel and are not a linear function of it.
 TextureImage numbered(int width, int height) {
   TextureImage image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -18,7 +18,7 @@ TextureImage numbered(int width, int height) {
   return image;
 }
 
-/// Where the centre of texel (x, y) lies, rows counted from the top.
+/// The centre of texel (x, y), rows counted from the top.
 Vec2d center(const TextureImage& image, double x, double y) {
   return {(x + 0.5) / image.width, 1 - (y + 0.5) / image.height};
 }
@@ -29,7 +29,7 @@ void expect_near(const Vec3d& a, const Vec3d& b, double tolerance) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-// Texture coordinates in [-10, 10] are known to 1e-15; sizes up to 100 and slopes of 1 a texel.
+// Texture coordinates in [-10, 10] are known to 1e-15; sizes up to 100 and slopes of 1 per texel.
 constexpr double kRounding = 1e-12;
 
 TEST(TextureColor, texel_centres_have_their_texels_color) {
@@ -110,9 +110,9 @@ TEST(TextureColor, repeats_in_both_directions) {
 
 TEST(TextureColor, stays_between_the_texels_for_any_finite_coordinate) {
   const TextureImage image = numbered(5, 3);  // values of at most 17 / 128 in red
-  const double largest = 1.7e308, least = 5e-324;
-  for (const double u : {largest, -largest, 1e17, -1e17, least, -least, -1e-17, 1 - 1e-16, -0.0}) {
-    for (const double v : {largest, -largest, 1e17, -1e17, least, -least, -1e-17, 1.0, -0.0}) {
+  const double largest = 1.7e308, min = 5e-324;
+  for (const double u : {largest, -largest, 1e17, -1e17, min, -min, -1e-17, 1 - 1e-16, -0.0}) {
+    for (const double v : {largest, -largest, 1e17, -1e17, min, -min, -1e-17, 1.0, -0.0}) {
       const Vec3d color = texture_color(image, {u, v});
       EXPECT_GE(color.x, 1.0 / 128) << u << " " << v;
       EXPECT_LE(color.x, 17.0 / 128) << u << " " << v;

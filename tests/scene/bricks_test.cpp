@@ -34,8 +34,8 @@ TextureImage transposed(const TextureImage& image) {
   return result;
 }
 
-/// The seam lies where every `period`-th step lies, in the middle of joints: it must be of their
-/// size. Means over 512 texels of grain vary by a tenth; a lattice that does not repeat doubles it.
+/// The seam is at a multiple of `period` steps, in the middle of joints: it must be of their size.
+/// Means over 512 texels of grain vary by a tenth; a lattice that does not repeat doubles it.
 void expect_no_seam(const std::vector<double>& steps, std::size_t period) {
   double largest = 0;
   for (std::size_t i = period; i < steps.size(); i += period) {
@@ -63,11 +63,9 @@ TEST(Bricks, an_8_bit_file_holds_every_value_exactly) {
   }
 }
 
-TEST(Bricks, meet_themselves_at_the_left_and_right_edge) {
-  expect_no_seam(column_steps(bricks()), 128);
-}
+TEST(Bricks, tile_at_the_left_and_right_edge) { expect_no_seam(column_steps(bricks()), 128); }
 
-TEST(Bricks, meet_themselves_at_the_top_and_bottom_edge) {
+TEST(Bricks, tile_at_the_top_and_bottom_edge) {
   expect_no_seam(column_steps(transposed(bricks())), 64);
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene/scene.h"
+#include "scene/spec.h"
 
 namespace lumaknot {
 namespace {

@@ -29,7 +29,7 @@ TEST(CheckInteger, accepts_the_ends_of_its_range_and_nothing_beyond) {
             "--n must be an integer from 3 to 5, got 4294967300");
 }
 
-TEST(CheckNumber, tells_open_ends_from_closed_ones) {
+TEST(CheckNumber, distinguishes_open_ends_from_closed_ones) {
   const Bound closed{.min = 0, .max = 1},
       open{.min = 0, .max = 1, .open_min = true, .open_max = true};
   EXPECT_NO_THROW(check_number("x", 0, closed));
@@ -49,7 +49,7 @@ TEST(CheckNumber, refuses_what_is_not_finite_whatever_the_bound) {
   EXPECT_NO_THROW(check_number("x", std::numeric_limits<double>::lowest(), {}));
 }
 
-TEST(CheckKnot, accepts_every_pair_but_zero_and_zero) {
+TEST(CheckKnot, accepts_every_pair_except_zero_and_zero) {
   KnotSpec knot;
   for (const auto& [p, q] : {std::pair{1, 0},
                              {0, 1},
@@ -76,10 +76,10 @@ TEST(CheckKnot, refuses_a_tube_as_thick_as_the_ring) {
   EXPECT_EQ(knot_refusal(knot, "--"), "--tube must be < --ring, 1, got 1");
 }
 
-TEST(CheckKnot, refuses_what_a_convention_can_not_have) {
+TEST(CheckKnot, refuses_what_a_convention_does_not_support) {
   KnotSpec three = knot_defaults(Convention::kThree);
   EXPECT_EQ(knot_refusal(three, "--"), "");
-  three.winding_radius = 0.4;
+  three.minor_radius = 0.4;
   EXPECT_THAT(knot_refusal(three, "--"), HasSubstr("--winding must be half of --ring"));
   three = knot_defaults(Convention::kThree);
   three.p = 0;
@@ -95,7 +95,7 @@ TEST(CheckKnot, refuses_what_a_convention_can_not_have) {
 TEST(CheckKnot, counts_the_vertices_of_every_component) {
   KnotSpec knot;
   knot.segments = 9999;
-  knot.sides = 4999;  // 10,000 x 5000, half of the most that are built
+  knot.sides = 4999;  // 10,000 x 5000, half of the maximum
   knot.p = knot.q = 2;
   EXPECT_EQ(knot_refusal(knot, ""), "");
   knot.p = knot.q = 3;
@@ -111,7 +111,7 @@ TEST(CheckKnot, calls_fields_by_the_prefix_it_is_given) {
 
 TEST(CheckKnot, refuses_lengths_that_are_not_positive_and_finite) {
   for (double KnotSpec::* field :
-       {&KnotSpec::ring_radius, &KnotSpec::winding_radius, &KnotSpec::tube_radius}) {
+       {&KnotSpec::major_radius, &KnotSpec::minor_radius, &KnotSpec::tube_radius}) {
     for (const double value : {0.0, -1.0, kInfinity, kNaN}) {
       KnotSpec knot;
       knot.*field = value;
@@ -123,7 +123,7 @@ TEST(CheckKnot, refuses_lengths_that_are_not_positive_and_finite) {
 TEST(CheckKnot, counts_the_flat_mesh_s_vertices) {
   KnotSpec knot;
   knot.segments = 24'999;
-  knot.sides = 3999;  // 25,000 x 4000: the most that are built
+  knot.sides = 3999;  // 25,000 x 4000: the maximum
   EXPECT_EQ(knot_refusal(knot, ""), "");
   knot.sides = 4000;
   EXPECT_THAT(knot_refusal(knot, "--"), HasSubstr("100025000"));
@@ -144,7 +144,7 @@ TEST(CheckScene, accepts_a_line_of_sight_close_to_up) {
   EXPECT_NO_THROW(check_scene(scene));
 }
 
-TEST(CheckScene, does_not_mind_the_length_of_up) {
+TEST(CheckScene, ignores_the_length_of_up) {
   SceneSpec scene;
   for (const double scale : {1e-100, 1.0, 1e100}) {
     scene.view.camera.up = Vec3d{0, 0, 1} * scale;

@@ -1,13 +1,13 @@
-/// What a call has to say when it refuses.
+/// The message of a call that refuses.
 #pragma once
 
 #include <string>
 
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot {
 
-/// The message of the Error that `call` throws; empty when it throws none.
+/// The message of the Error that `call` throws; empty if none.
 template <class F>
 std::string error_of(F call) {
   try {

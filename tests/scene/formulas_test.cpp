@@ -6,8 +6,8 @@
 #include <set>
 
 #include "scene/check.h"
+#include "scene/json.h"
 #include "scene/presets.h"
-#include "scene/scene_json.h"
 
 namespace lumaknot {
 namespace {
@@ -27,11 +27,11 @@ Material unusual_numbers() {
   m.emissive = {0.15, 0.25, 0.35};
   m.gamut = Gamut::kChroma;
   m.highlights = Highlights::kGated;
-  m.rate = Rate::kVertex;
+  m.rate = ShadingFrequency::kVertex;
   return m;
 }
 
-/// The material as scene.json tells it: every field in one text.
+/// The material as in scene.json: every field in one text.
 std::string text_of(const Material& material) {
   SceneSpec scene;
   scene.view.material = material;
@@ -114,7 +114,7 @@ TEST(Formulas, keep_the_surface_s_own_numbers_and_rules) {
   for (const std::string& name : formula_names()) {
     const Material base = unusual_numbers();
     Material m = *with_formula(base, name);
-    // What a formula sets; the rest must be the base's.
+    // The fields that a formula sets; the rest must be the base's.
     m.model = base.model;
     m.space = base.space;
     m.form = base.form;

@@ -1,11 +1,11 @@
-// Lights in scene.json: each kind there and back, and what is refused.
+// Lights in scene.json: each kind written and read back, and the refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "scene/check.h"
-#include "scene/scene_json.h"
+#include "scene/json.h"
 #include "tests/scene/error_of.h"
 
 namespace lumaknot {
@@ -103,7 +103,7 @@ TEST(Lights, a_list_replaces_the_default_light_and_may_be_empty) {
 
 TEST(Lights, their_order_and_number_are_kept) {
   std::vector<Light> lights;
-  for (std::size_t i = 0; i < kMostLights; ++i) {
+  for (std::size_t i = 0; i < kMaxLights; ++i) {
     lights.push_back(i % 3 ? Light(PointLight{{double(i), 0, 0}, {}, {}})
                            : Light(DirectionalLight{{1, double(i), 0}, {}}));
   }
@@ -118,9 +118,9 @@ TEST(Lights, seventeen_are_too_many) {
               HasSubstr("lights must be a list of at most 16"));
 }
 
-TEST(Lights, the_published_schema_tells_their_most) {
+TEST(Lights, the_published_schema_gives_their_maximum_number) {
   const Json schema = Json::parse(scene_json_schema());
-  EXPECT_EQ(schema["properties"]["lights"]["maxItems"], kMostLights);
+  EXPECT_EQ(schema["properties"]["lights"]["maxItems"], kMaxLights);
   EXPECT_EQ(schema["properties"]["lights"]["items"]["oneOf"].size(), std::variant_size_v<Light>);
 }
 
@@ -165,7 +165,7 @@ TEST(Lights, a_direction_must_have_a_length) {
     };
     EXPECT_THAT(with("[0, 0, 0]"), HasSubstr("lights[0]." + kind + ".direction must be"));
     EXPECT_THAT(with("[0, 0, 0]"), HasSubstr("got [0, 0, 0]"));
-    EXPECT_THAT(with("[1e-200, 0, 0]"), HasSubstr("direction"));  // its square is no number above 0
+    EXPECT_THAT(with("[1e-200, 0, 0]"), HasSubstr("direction"));  // its square underflows to 0
     EXPECT_THAT(with("[1e200, 0, 0]"), HasSubstr("direction"));
     EXPECT_EQ(with("[1e-99, 0, 0]"), "");
   }
@@ -193,7 +193,7 @@ TEST(Lights, a_spot_s_outer_cone_holds_its_inner_one) {
   EXPECT_THAT(cone("30", "20"), HasSubstr("got 20 and 30"));
   for (const auto& [inner, outer] :
        {std::pair{"10", "10.1"}, {"20", "20.1"}, {"30", "30.1"}, {"44.9", "45"}}) {
-    EXPECT_EQ(cone(inner, outer), "") << inner;  // though in double some are nearer by rounding
+    EXPECT_EQ(cone(inner, outer), "") << inner;  // though in double some are closer due to rounding
   }
   EXPECT_THAT(cone("10", "10.09"), HasSubstr("at least 0.1 more than inner_degrees, got 10.09"));
 }

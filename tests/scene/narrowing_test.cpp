@@ -7,7 +7,7 @@ namespace {
 
 Vec3d narrowed(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
-// GCC 12.2 left x and y as they were, unless told not to join neighbouring operations.
+// GCC 12.2 left x and y unchanged unless told not to merge neighbouring operations.
 TEST(Narrowing, of_neighbouring_doubles_rounds_each) {
   volatile double tenth = 0.1;
   const double x = tenth;

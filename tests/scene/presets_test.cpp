@@ -5,7 +5,7 @@
 #include <set>
 
 #include "scene/check.h"
-#include "scene/scene_json.h"
+#include "scene/json.h"
 
 namespace lumaknot {
 namespace {

@@ -1,4 +1,4 @@
-#include "validate/povray_plan.h"
+#include "validate/renderers/povray_plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

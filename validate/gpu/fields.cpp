@@ -9,7 +9,7 @@
 namespace lumaknot::gpu {
 namespace {
 
-/// A value as an error quotes it: short, on one line, nothing but ASCII.
+/// A value as quoted in an error: short, on one line, ASCII only.
 std::string in_short(const Json& value) {
   const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
@@ -42,7 +42,8 @@ const Json& Fields::get(std::string_view key) {
 
 std::string Fields::text(std::string_view key) {
   const Json& value = get(key);
-  if (!value.is_string() || value.get_ref<const std::string&>().empty()) fail(key, "a text");
+  if (!value.is_string() || value.get_ref<const std::string&>().empty())
+    fail(key, "a non-empty string");
   return value.get<std::string>();
 }
 
@@ -93,7 +94,7 @@ std::vector<Fields> Fields::objects(std::string_view key, bool optional) {
 void Fields::finish() const {
   for (const auto& item : object_.items()) {
     if (std::ranges::find(known_, item.key()) != known_.end()) continue;
-    throw Error(fmt::format("{} is not known here; one of: {}",
+    throw Error(fmt::format("{} is unknown; must be one of: {}",
                             path_.empty() ? in_short(item.key()) : path_ + "." + item.key(),
                             fmt::join(known_, ", ")));
   }

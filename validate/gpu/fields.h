@@ -1,4 +1,4 @@
-/// Reads a job's JSON: each value checked, each error naming its path.
+/// Reads a job's JSON; checks each value and names its path in each error.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,17 +6,17 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot::gpu {
 
 using Json = nlohmann::ordered_json;
 
-/// The members of one JSON object. Throws Error when a member is not what is asked for, and
-/// finish() when there are members that nobody asked for.
+/// The members of one JSON object. Throws Error if a member is not of the kind asked for; finish()
+/// throws it if there are members that were never asked for.
 class Fields {
  public:
-  /// `path` is the object's own, empty for the whole job.
+  /// `path` is the object's path, empty for the whole job.
   Fields(const Json& object, std::string path);
 
   bool has(std::string_view key) const { return object_.contains(key); }
@@ -25,15 +25,15 @@ class Fields {
   /// An integer from `min` to `max`.
   int integer(std::string_view key, int min, int max);
   int integer_or(std::string_view key, int min, int max, int otherwise);
-  /// Numbers within the range of float; how many is for the caller to check.
+  /// Numbers within the range of float; the caller checks how many.
   std::vector<float> numbers(std::string_view key);
   Fields object(std::string_view key);
   /// The objects of a list, which may be absent when `optional`.
   std::vector<Fields> objects(std::string_view key, bool optional = false);
-  /// Throws Error when a member was never read.
+  /// Throws Error if a member was never read.
   void finish() const;
 
-  /// The object's own path.
+  /// The object's path.
   const std::string& where() const { return path_; }
   /// The member's path: "draws[0].vertex".
   std::string path(std::string_view key) const;

@@ -1,4 +1,4 @@
-/// The files that a job names, checked before memory is taken for them.
+/// The files that a job names, checked before memory is allocated for them.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot::gpu {
 
@@ -22,7 +22,7 @@ std::uint64_t checked_size(const std::filesystem::path& path, const std::string&
 void read_into(void* to, std::uint64_t size, const std::filesystem::path& path,
                const std::string& where);
 
-/// A file of exactly `count` values of type T, as they lie in memory.
+/// A file of exactly `count` values of type T, in their memory layout.
 template <class T>
 std::vector<T> read_array(const std::filesystem::path& path, const std::string& where,
                           std::uint64_t count) {

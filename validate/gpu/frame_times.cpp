@@ -11,7 +11,7 @@
 namespace lumaknot::gpu {
 namespace {
 
-constexpr int kWarmUp = 2;  // frames of each draw that are not counted
+constexpr int kWarmUp = 2;  // uncounted frames of each draw
 
 /// Milliseconds, to a tenth of a microsecond.
 double time_of_frame(const GlRun& run, unsigned program) {

@@ -18,12 +18,13 @@ namespace {
 EGLDisplay surfaceless_display() {
   if (!epoxy_has_egl()) throw Unavailable("libEGL is not installed");
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    throw Unavailable("EGL has no surfaceless platform; Mesa's libEGL has it");
+    throw Unavailable("EGL has no surfaceless platform; install Mesa's libEGL");
   }
   const EGLDisplay display =
       eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) fail("open the surfaceless platform");
-  if (!eglInitialize(display, nullptr, nullptr)) fail("start; is Mesa's software driver installed");
+  if (!eglInitialize(display, nullptr, nullptr))
+    fail("start; is Mesa's software driver installed?");
   return display;
 }
 
@@ -68,7 +69,7 @@ EGLDisplay open_display(bool hardware) {
 
 EGLContext make_context(EGLDisplay display, Api api) {
   const bool es = api == Api::kGles;
-  if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) fail("serve this API");
+  if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) fail("provide this API");
   std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION,
                                  es ? 0 : 3};
   if (!es) {
@@ -78,7 +79,7 @@ EGLContext make_context(EGLDisplay display, Api api) {
   attributes.push_back(EGL_NONE);
   const EGLContext context =
       eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-  if (context == EGL_NO_CONTEXT) fail(es ? "make a GLES 3.0 context" : "make a GL 3.3 context");
+  if (context == EGL_NO_CONTEXT) fail(es ? "create a GLES 3.0 context" : "create a GL 3.3 context");
   return context;
 }
 

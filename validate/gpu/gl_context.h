@@ -7,8 +7,9 @@
 
 namespace lumaknot::gpu {
 
-/// GL 3.3 core or GLES 3.0 without a surface, current while it lives: on EGL's surfaceless
-/// platform, or on the first of EGL's devices that is hardware. All GL objects end with it.
+/// GL 3.3 core or GLES 3.0 without a surface, current during its lifetime: on EGL's surfaceless
+/// platform, or on the first of EGL's devices that is hardware. All GL objects are destroyed with
+/// it.
 class GlContext {
  public:
   /// Throws Unavailable.

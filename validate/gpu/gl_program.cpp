@@ -6,20 +6,20 @@
 #include <array>
 #include <string_view>
 
-#include "scene/error.h"
+#include "system/error.h"
 #include "validate/gpu/unavailable.h"
 
 namespace lumaknot::gpu {
 namespace {
 
-/// The log, then a line that tells which file it is about.
+/// The log, then a line that names the file it is about.
 [[noreturn]] void fail(std::string log, const std::string& where, std::string_view what) {
   if (!log.empty() && log.back() != '\n') log += '\n';
   throw Unavailable(
       fmt::format("{}{} does not {}: {}", log, where, what, log.substr(0, log.find('\n'))));
 }
 
-/// A shader's or program's log, by the two functions that tell its length and text.
+/// A shader's or program's log, by the functions that return its length and text.
 template <class Get, class Text>
 std::string log_of(GLuint object, Get get, Text text) {
   GLint length = 0;
@@ -44,7 +44,7 @@ GLuint compile(const Shader& shader, GLenum stage) {
   return object;
 }
 
-/// The GLSL type that a number of values stands for.
+/// The GLSL type of a number of values.
 std::string_view type_of(std::size_t values) {
   switch (values) {
     case 1:
@@ -83,11 +83,11 @@ void set_values(GLint location, const std::vector<float>& values) {
 /// An active uniform or attribute.
 struct Active {
   std::string name;
-  GLint size = 0;  ///< elements of an array, else 1
+  GLint size = 0;  ///< number of array elements, else 1
   GLenum type = 0;
 };
 
-/// All of them but GLSL's own, by the functions that tell their number and one of them.
+/// All of them except GLSL's built-ins, by the functions that return their number and one of them.
 template <class Get>
 std::vector<Active> actives(GLuint program, GLenum how_many, Get get) {
   GLint count = 0;
@@ -117,14 +117,14 @@ bool sets(const Draw& draw, const Active& uniform) {
   return true;
 }
 
-/// A uniform that is never set would be zero, and the picture wrong.
+/// An unset uniform would be zero, and the picture wrong.
 void check_uniforms(GLuint program, const Draw& draw, const std::vector<Texture>& textures) {
   for (const Active& uniform : actives(program, GL_ACTIVE_UNIFORMS, glGetActiveUniform)) {
     const bool texture =
         uniform.type == GL_SAMPLER_2D &&
         std::ranges::find(textures, uniform.name, &Texture::name) != textures.end();
     if (texture || sets(draw, uniform)) continue;
-    throw Error(fmt::format("{}: the shaders read uniform {}, which the job does not give",
+    throw Error(fmt::format("{}: the shaders read uniform {}, which the job does not set",
                             draw.where, uniform.name));
   }
 }
@@ -145,7 +145,7 @@ void set_all(GLuint program, const Draw& draw, const std::vector<Texture>& textu
     if (location < 0) continue;
     set_values(location, uniform.values);
     if (glGetError() == GL_NO_ERROR) continue;
-    throw Error(fmt::format("{}: uniform {} is given as {}, the shader has another type",
+    throw Error(fmt::format("{}: uniform {} is set as {}, but has another type in the shader",
                             draw.where, uniform.name, type_of(uniform.values.size())));
   }
   for (std::size_t i = 0; i < textures.size(); ++i) {
@@ -164,7 +164,7 @@ GLuint make_program(const Draw& draw) {
   GLint good = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &good);
   const std::string log = log_of(program, glGetProgramiv, glGetProgramInfoLog);
-  // Mesa warns of a varying that nobody writes, and draws something.
+  // Mesa only warns about a varying that is never written, and draws something.
   if (!good || !log.empty()) fail(log, draw.where, "link");
   return program;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/atomic_file.h"
+#include "system/atomic_file.h"
 #include "validate/gpu/gl_program.h"
 #include "validate/gpu/unavailable.h"
 
@@ -39,8 +39,8 @@ void upload_mesh(const Job& job) {
   attribute(2, 2, 6);
 }
 
-/// Table 1's state: depth test "less or equal", depth written, no blending; no culling unless asked
-/// for.
+/// Table 1's state: depth test "less or equal", depth written, no blending; culling only on
+/// request.
 void set_state(const Job& job) {
   glViewport(0, 0, job.width, job.height);
   glEnable(GL_DEPTH_TEST);

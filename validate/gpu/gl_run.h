@@ -17,10 +17,10 @@ class GlRun {
   /// The draw's shaders, ready to be drawn with. Throws Unavailable, or Error for a wrong uniform.
   unsigned prepare(const Draw& draw) const;
 
-  /// Draws with what prepare() returned and waits for the driver's end.
+  /// Draws with what prepare() returned and waits until the driver has finished.
   void draw_frame(unsigned program) const;
 
-  /// Writes what was drawn last to the draw's output.
+  /// Writes the last picture drawn to the draw's output.
   void write_image(const Draw& draw) const;
 
   int samples() const { return target_.samples(); }

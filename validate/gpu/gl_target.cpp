@@ -33,16 +33,16 @@ GLuint make_framebuffer(const Job& job, int samples) {
                             make_renderbuffer(job, GL_DEPTH_COMPONENT32F, samples));
   check_gl("the image");
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Unavailable(fmt::format("the driver can't draw into four {} a pixel, {} samples",
+    throw Unavailable(fmt::format("the driver can't draw into four {} per pixel with {} samples",
                                   job.bytes ? "bytes" : "floats", samples));
   }
   return target;
 }
 
 int samples_here(int wanted) {
-  GLint most = 1;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  return std::clamp(wanted, 1, std::max(most, 1));
+  GLint max = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &max);
+  return std::clamp(wanted, 1, std::max(max, 1));
 }
 
 }  // namespace
@@ -53,10 +53,10 @@ void check_gl(std::string_view what) {
 }
 
 void check_side(int side, unsigned limit, std::string_view what) {
-  GLint most = 0;
-  glGetIntegerv(limit, &most);
-  if (side <= most) return;
-  throw Unavailable(fmt::format("{} has a side of {}, the driver's limit is {}", what, side, most));
+  GLint max = 0;
+  glGetIntegerv(limit, &max);
+  if (side <= max) return;
+  throw Unavailable(fmt::format("{} has a side of {}, the driver's limit is {}", what, side, max));
 }
 
 GlTarget::GlTarget(const Job& job) : job_(job), samples_(samples_here(job.samples)) {
@@ -76,7 +76,7 @@ void GlTarget::resolve() const {
 std::vector<float> GlTarget::pixels() const {
   std::vector<float> pixels(image_floats(job_));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
-  if (job_.bytes) {  // the one format that GLES reads bytes in
+  if (job_.bytes) {  // the only format in which GLES reads bytes
     std::vector<unsigned char> bytes(pixels.size());
     glReadPixels(0, 0, job_.width, job_.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     std::ranges::transform(bytes, pixels.begin(), [](unsigned char b) { return float(b) / 255; });

@@ -1,4 +1,4 @@
-/// What GL draws into, and how it gets out.
+/// GL's render target, and reading it back.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,19 @@
 
 namespace lumaknot::gpu {
 
-/// Throws Unavailable naming `what` where GL has an error to tell.
+/// Throws Unavailable naming `what` if GL reports an error.
 void check_gl(std::string_view what);
 
-/// Throws Unavailable where `side` is beyond what the driver tells of `limit`, a GLenum.
+/// Throws Unavailable if `side` exceeds the driver's value of `limit`, a GLenum.
 void check_side(int side, unsigned limit, std::string_view what);
 
-/// An image with a float depth, of one or more samples a pixel, bound to be drawn into.
+/// An image with float depth, of one or more samples per pixel, bound for drawing.
 class GlTarget {
  public:
   /// `job` must outlive it. Throws Unavailable.
   explicit GlTarget(const Job& job);
 
-  /// Averages the samples of a pixel, where it has several.
+  /// Averages the samples per pixel if there are several.
   void resolve() const;
 
   /// RGBA floats, the top row first.

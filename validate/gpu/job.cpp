@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/atomic_file.h"
+#include "system/atomic_file.h"
 #include "validate/gpu/fields.h"
 #include "validate/gpu/files.h"
 
@@ -30,7 +30,7 @@ struct ApiName {
 constexpr std::array<ApiName, 3> kApis{
     {{"gl", Api::kGl}, {"gles", Api::kGles}, {"vulkan", Api::kVulkan}}};
 
-/// What the parts of a job are read with.
+/// The context in which the parts of a job are read.
 struct Context {
   Api api;
   fs::path folder;
@@ -108,7 +108,7 @@ void check_bindings(const Job& job) {
   std::set<int> taken;
   const auto take = [&](int binding, const std::string& what) {
     if (taken.insert(binding).second) return;
-    throw Error(fmt::format("{} {} is taken already; give each its own", what, binding));
+    throw Error(fmt::format("{} {} is used twice; each needs its own", what, binding));
   };
   for (std::size_t i = 0; i < job.textures.size(); ++i) {
     take(job.textures[i].binding, fmt::format("textures[{}].binding", i));
@@ -128,11 +128,11 @@ void check_outputs(const Job& job) {
   std::set<fs::path> taken;
   for (const Draw& draw : job.draws) {
     if (taken.insert(draw.output.lexically_normal()).second) continue;
-    throw Error(fmt::format("{}: output {} is taken already", draw.where, draw.output.string()));
+    throw Error(fmt::format("{}: output {} is used twice", draw.where, draw.output.string()));
   }
 }
 
-/// Whether the optional member `key` is `chosen` and not `usual`.
+/// Whether the optional member `key` is `chosen` instead of `usual`.
 bool is_chosen(Fields& fields, const std::string& key, const std::string& usual,
                const std::string& chosen) {
   const std::string value = fields.text_or(key, usual);
@@ -140,7 +140,7 @@ bool is_chosen(Fields& fields, const std::string& key, const std::string& usual,
   return value == chosen;
 }
 
-/// What GL and GLES can do besides.
+/// Members for GL and GLES only.
 void read_gl_members(Fields& fields, Job& job) {
   job.hardware = is_chosen(fields, "driver", "software", "hardware");
   job.bytes = is_chosen(fields, "format", "float", "bytes");
@@ -159,12 +159,12 @@ Job job_from(Fields fields, const fs::path& folder) {
   if (fields.has("mesh")) job.mesh = read_mesh(fields.object("mesh"), folder);
   const std::vector<Fields> textures = fields.objects("textures", true);
   if (textures.size() > kMaxTextures) {
-    throw Error(fmt::format("textures must be {} at most, got {}", kMaxTextures, textures.size()));
+    throw Error(fmt::format("textures must be at most {}, got {}", kMaxTextures, textures.size()));
   }
   for (const Fields& f : textures) job.textures.push_back(read_texture(f, context));
   for (const Fields& f : fields.objects("draws")) job.draws.push_back(read_draw(f, context));
   fields.finish();
-  if (job.draws.empty()) throw Error("draws must hold one draw at least");
+  if (job.draws.empty()) throw Error("draws must hold at least one draw");
   if (context.vulkan()) check_bindings(job);
   check_outputs(job);
   return job;

@@ -1,8 +1,9 @@
-// lumaknot-gpu JOB.json                         draws what the job file says; timed frames are told
+// lumaknot-gpu JOB.json                         draws what the job file says; prints timed frames
 //                                               as JSON
 // lumaknot-gpu --version-of gl|gles|vulkan      prints the renderer and its driver
 // lumaknot-gpu --version-of gl-hardware         prints those of a GPU
-// Exit code 0: done; 2: wrong use or a bad job; 3: no such API, or a shader that does not compile.
+// Exit code 0: done; 2: wrong usage or a bad job; 3: no such API, or a shader that does not
+// compile.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/atomic_file.h"
-#include "scene/error.h"
+#include "system/atomic_file.h"
+#include "system/error.h"
 #include "validate/gpu/frame_times.h"
 #include "validate/gpu/gl_run.h"
 #include "validate/gpu/job.h"
@@ -24,7 +25,7 @@ namespace {
 
 constexpr int kExitBadJob = 2, kExitUnavailable = 3;
 
-/// Mesa's software drivers leave no cache behind. The caller's environment decides if it says so.
+/// Mesa's software drivers, without a shader cache. The caller's environment takes precedence.
 void prefer_software() {
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
@@ -82,8 +83,8 @@ void run(const std::vector<std::string>& arguments) {
   }
 }
 
-/// Bad input in one line, whatever it quotes.
-void tell(std::string message) {
+/// Prints bad input on one line, whatever it quotes.
+void print_error(std::string message) {
   std::ranges::replace_if(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   fmt::print(stderr, "lumaknot-gpu: {}\n", message);
 }
@@ -94,10 +95,10 @@ int run_program(const std::vector<std::string>& arguments) {
     run(arguments);
     return 0;
   } catch (const Error& e) {
-    tell(e.what());
+    print_error(e.what());
     return kExitBadJob;
   } catch (const std::bad_alloc&) {
-    tell("out of memory; lower width and height");
+    print_error("out of memory; lower width and height");
   } catch (const std::exception& e) {  // Unavailable, vk::Error
     fmt::print(stderr, "lumaknot-gpu: {}\n", e.what());
   }

@@ -25,7 +25,7 @@ Mesh read_mesh(Fields fields, const std::filesystem::path& folder) {
   fields.finish();
   const auto wrong = std::ranges::find_if(mesh.indices, [&](auto i) { return i >= count; });
   if (wrong == mesh.indices.end()) return mesh;
-  throw Error(fmt::format("{} must be below the mesh's {} vertices, the one at {} is {}",
+  throw Error(fmt::format("{} must be below the mesh's {} vertices, but index {} is {}",
                           fields.path("indices"), count, wrong - mesh.indices.begin(), *wrong));
 }
 

@@ -11,13 +11,13 @@ namespace lumaknot::gpu {
 
 /// Triangles with shared vertices.
 struct Mesh {
-  std::vector<float> vertices;         ///< 8 a vertex: position xyz, normal xyz, texture uv
-  std::vector<std::uint32_t> indices;  ///< 3 a triangle, each below the number of vertices
+  std::vector<float> vertices;         ///< 8 per vertex: position xyz, normal xyz, texture uv
+  std::vector<std::uint32_t> indices;  ///< 3 per triangle, each below the number of vertices
 };
 
 inline constexpr int kFloatsPerVertex = 8;
 
-/// The mesh of the object `fields`, its files in `folder`. Throws Error.
+/// Reads the mesh of the object `fields`, its files in `folder`. Throws Error.
 Mesh read_mesh(Fields fields, const std::filesystem::path& folder);
 
 }  // namespace lumaknot::gpu

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <spirv-tools/libspirv.hpp>
 
-#include "scene/error.h"
+#include "system/error.h"
 #include "validate/gpu/spirv_interface.h"
 #include "validate/gpu/unavailable.h"
 

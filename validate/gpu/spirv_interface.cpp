@@ -7,7 +7,7 @@
 #include <spirv_cross/spirv_cross.hpp>
 #include <string_view>
 
-#include "scene/error.h"
+#include "system/error.h"
 
 namespace lumaknot::gpu {
 namespace {
@@ -66,7 +66,7 @@ std::vector<Resource> resources_of(const Compiler& compiler,
   return all;
 }
 
-/// What the job puts into descriptor set 0.
+/// The job's contents of descriptor set 0.
 std::vector<Resource> given(const Job& job, const Draw& draw) {
   std::vector<Resource> all;
   for (const Texture& t : job.textures) {
@@ -82,8 +82,8 @@ std::vector<Resource> given(const Job& job, const Draw& draw) {
   return all;
 }
 
-/// A texture with its sampler also serves a shader that declares one of the two, or both apart at
-/// the same binding (Vulkan, "Shader Resource and Descriptor Type Correspondence").
+/// A texture with its sampler also serves a shader that declares one of the two, or both separately
+/// at the same binding (Vulkan, "Shader Resource and Descriptor Type Correspondence").
 bool fills(const Resource& resource, const Resource& wanted) {
   const bool part =
       resource.kind == ResourceKind::kCombinedSampler &&
@@ -109,7 +109,7 @@ void check_resources(const Job& job, const Draw& draw, const Shader& shader,
     const auto found =
         std::ranges::find_if(all, [&](const Resource& r) { return fills(r, wanted); });
     if (found == all.end()) {
-      throw Error(fmt::format("{} uses {} at set {}, binding {}, where the job gives none",
+      throw Error(fmt::format("{} uses {} at set {}, binding {}, where the job has none",
                               shader.where, kKindNames[std::size_t(wanted.kind)], wanted.set,
                               wanted.binding));
     }

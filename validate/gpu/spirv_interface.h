@@ -1,4 +1,4 @@
-/// What a SPIR-V entry point reads and writes, held against what a job gives.
+/// The interface of a SPIR-V entry point, checked against what a job provides.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ enum class Stage { kVertex, kFragment };
 
 enum class ResourceKind { kUniformBlock, kCombinedSampler, kTexture, kSampler, kOther };
 
-/// Something that the entry point uses from outside.
+/// An external resource that the entry point uses.
 struct Resource {
   ResourceKind kind = ResourceKind::kOther;
   std::uint32_t set = 0, binding = 0;
@@ -26,16 +26,16 @@ struct Interface {
   std::set<std::uint32_t> inputs, outputs;  ///< locations
 };
 
-/// Of the shader's entry point; what it declares and does not use is left out. `words` must be
-/// valid. Throws Error when there is no such entry point.
+/// The interface of the shader's entry point, without what it declares but does not use. `words`
+/// must be valid. Throws Error if there is no such entry point.
 Interface interface_of(const Shader& shader, const std::vector<std::uint32_t>& words, Stage stage);
 
-/// Throws Error when the job fills no binding with what the shader uses there.
+/// Throws Error if the job lacks a resource at a binding that the shader uses.
 void check_resources(const Job& job, const Draw& draw, const Shader& shader,
                      const Interface& interface);
 
-/// Throws Error when the vertex shader reads an attribute that the mesh lacks, or the fragment
-/// shader a varying that the vertex shader does not write, or when it writes no colour.
+/// Throws Error if the vertex shader reads an attribute that the mesh lacks, or the fragment shader
+/// reads a varying that the vertex shader does not write, or writes no colour.
 void check_locations(const Job& job, const Draw& draw, const Interface& vertex,
                      const Interface& fragment);
 

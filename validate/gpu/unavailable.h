@@ -1,12 +1,12 @@
-/// What the job can't be blamed for.
+/// Failures that are not the job's fault.
 #pragma once
 
 #include <stdexcept>
 
 namespace lumaknot::gpu {
 
-/// An API or driver that can't be had, or a shader that it refuses. The last line of the message
-/// says what; a compiler's log may stand before it.
+/// A missing API or driver, or a shader that it rejects. The last line of the message says what; a
+/// compiler's log may precede it.
 struct Unavailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

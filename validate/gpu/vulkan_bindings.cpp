@@ -7,7 +7,7 @@ namespace {
 
 using Type = vk::DescriptorType;
 
-/// One resource of descriptor set 0; either `image` or `buffer` says what it is.
+/// One resource of descriptor set 0; either `image` or `buffer` is set.
 struct Slot {
   int binding;
   Type type;
@@ -52,7 +52,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const VulkanDevice& vulkan,
   return {vulkan.device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
 
-/// Room for one set; a pool of no sizes is not allowed.
+/// A pool for one set; a pool without sizes is not allowed.
 vk::raii::DescriptorPool make_pool(const VulkanDevice& vulkan, const std::vector<Slot>& slots) {
   std::vector<vk::DescriptorPoolSize> sizes{{Type::eUniformBuffer, 1}};
   for (const Slot& slot : slots) sizes.emplace_back(slot.type, 1);

@@ -11,7 +11,7 @@
 namespace lumaknot::gpu {
 namespace {
 
-// Instances of 1.1 and later can ask for the driver's name; shaders keep to Vulkan 1.0.
+// Instances of 1.1 and later can ask for the driver's name; shaders stay with Vulkan 1.0.
 constexpr std::uint32_t kApiVersion = VK_API_VERSION_1_2;
 
 vk::raii::Instance make_instance(const vk::raii::Context& context) {
@@ -19,13 +19,13 @@ vk::raii::Instance make_instance(const vk::raii::Context& context) {
   try {
     return {context, vk::InstanceCreateInfo({}, &application)};
   } catch (const vk::IncompatibleDriverError&) {
-    throw Unavailable("no Vulkan driver is installed; Mesa's lavapipe is one");
+    throw Unavailable("no Vulkan driver is installed; install one, such as Mesa's lavapipe");
   }
 }
 
 vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance) {
   vk::raii::PhysicalDevices devices(instance);
-  if (devices.empty()) throw Unavailable("no Vulkan device; Mesa's lavapipe is one");
+  if (devices.empty()) throw Unavailable("no Vulkan device; install one, such as Mesa's lavapipe");
   const auto software = std::ranges::find_if(devices, [](const vk::raii::PhysicalDevice& device) {
     return device.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
   });
@@ -57,7 +57,7 @@ std::uint32_t memory_type(const VulkanDevice& vulkan, std::uint32_t allowed,
     const bool fits = (memory.memoryTypes[i].propertyFlags & wanted) == wanted;
     if ((allowed >> i & 1u) && fits) return i;
   }
-  throw Unavailable("the Vulkan device has no memory of the kind that is needed");
+  throw Unavailable("the Vulkan device has no memory of the required type");
 }
 
 vk::raii::DeviceMemory allocate(const VulkanDevice& vulkan, const vk::MemoryRequirements& need,
@@ -106,10 +106,10 @@ void read_buffer(const Buffer& buffer, void* to) {
 
 DeviceImage make_image(const VulkanDevice& vulkan, vk::Extent2D size, vk::Format format,
                        vk::ImageUsageFlags usage, const std::string& what) {
-  const std::uint32_t most = vulkan.physical.getProperties().limits.maxImageDimension2D;
-  if (std::max(size.width, size.height) > most) {
+  const std::uint32_t max = vulkan.physical.getProperties().limits.maxImageDimension2D;
+  if (std::max(size.width, size.height) > max) {
     throw Unavailable(fmt::format("{} has a side of {}, the device's limit is {}", what,
-                                  std::max(size.width, size.height), most));
+                                  std::max(size.width, size.height), max));
   }
   vk::raii::Image image(
       vulkan.device,

@@ -8,7 +8,8 @@
 
 namespace lumaknot::gpu {
 
-/// A device with one graphics queue. A software device is preferred: the same picture everywhere.
+/// A device with one graphics queue. A software device is preferred: it draws the same picture
+/// everywhere.
 struct VulkanDevice {
   vk::raii::Context context;
   vk::raii::Instance instance;
@@ -22,14 +23,14 @@ struct VulkanDevice {
   VulkanDevice();
 };
 
-/// Memory that this program can write and read.
+/// Host-visible memory.
 struct Buffer {
   vk::raii::Buffer buffer;
   vk::raii::DeviceMemory memory;
   vk::DeviceSize size = 0;  ///< bytes
 };
 
-/// An image in the device's memory, its layout not yet defined.
+/// An image in the device's memory, its layout undefined.
 struct DeviceImage {
   vk::raii::Image image;
   vk::raii::DeviceMemory memory;
@@ -45,11 +46,11 @@ Buffer make_buffer(const VulkanDevice& vulkan, const void* from, vk::DeviceSize 
 /// Copies the buffer's bytes to `to`.
 void read_buffer(const Buffer& buffer, void* to);
 
-/// Throws Unavailable when the image is larger than the device allows; `what` names it.
+/// Throws Unavailable if the image is larger than the device allows; `what` names it.
 DeviceImage make_image(const VulkanDevice& vulkan, vk::Extent2D size, vk::Format format,
                        vk::ImageUsageFlags usage, const std::string& what);
 
-/// Records commands, runs them and waits for their end.
+/// Records commands, runs them and waits until they finish.
 void submit(const VulkanDevice& vulkan,
             const std::function<void(const vk::raii::CommandBuffer&)>& record);
 

@@ -8,7 +8,7 @@
 
 namespace lumaknot::gpu {
 
-/// Descriptor set 0, filled: the job's textures and the draw's uniform block.
+/// Descriptor set 0 with its contents: the job's textures and the draw's uniform block.
 struct Bindings {
   std::optional<Buffer> uniform_block;
   vk::raii::DescriptorSetLayout set_layout;

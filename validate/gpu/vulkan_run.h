@@ -18,8 +18,8 @@ class VulkanRun {
   VulkanRun(const VulkanRun&) = delete;
   VulkanRun& operator=(const VulkanRun&) = delete;
 
-  /// The picture as RGBA floats, top row first. Throws Error when a shader is no SPIR-V module,
-  /// Unavailable when it is not valid or the device refuses it.
+  /// The picture as RGBA floats, top row first. Throws Error if a shader is not a SPIR-V module,
+  /// Unavailable if it is invalid or the device rejects it.
   std::vector<float> draw(const Draw& draw) const;
 
  private:

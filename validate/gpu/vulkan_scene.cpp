@@ -17,7 +17,7 @@ vk::BufferImageCopy whole_image(vk::Extent2D size) {
   return {0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, {size.width, size.height, 1}};
 }
 
-/// Colour and depth cleared at the start; the colours end ready to be copied out.
+/// Colour and depth are cleared at the start; the colours end up ready to be copied out.
 vk::raii::RenderPass make_pass(const VulkanDevice& vulkan) {
   const std::array attachments{
       vk::AttachmentDescription({}, kColorFormat, vk::SampleCountFlagBits::e1,
@@ -49,7 +49,7 @@ void check_formats(const VulkanDevice& vulkan) {
   needs(kDepthFormat, Feature::eDepthStencilAttachment);
 }
 
-/// A layout change with what must come before it and what may come after.
+/// A layout transition, with what must happen before it and what may happen after.
 struct Step {
   Layout from, to;
   vk::PipelineStageFlags before, after;

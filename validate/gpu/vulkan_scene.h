@@ -1,4 +1,4 @@
-/// What all draws of a job share on a Vulkan device.
+/// The resources that all draws of a job share on a Vulkan device.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace lumaknot::gpu {
 inline constexpr vk::Format kColorFormat = vk::Format::eR32G32B32A32Sfloat;
 inline constexpr vk::Format kDepthFormat = vk::Format::eD32Sfloat;
 
-/// The colour and depth images, cleared at each pass, and a buffer that takes the colours out.
+/// The colour and depth images, cleared at each pass, and a buffer to read the colours back.
 struct Target {
   vk::Extent2D size;
   DeviceImage color, depth;

@@ -1,5 +1,5 @@
-// FLIP beside its authors' own program.
-#include "study/flip.h"
+// FLIP compared with its authors' own program.
+#include "study/measure/flip.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <random>
 
 #include "meshgen/knot_mesh.h"
-#include "render/render.h"
-#include "scene/atomic_file.h"
+#include "render/reference.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
-#include "validate/process.h"
+#include "system/atomic_file.h"
+#include "system/process.h"
 
 namespace lumaknot {
 namespace {
@@ -45,12 +45,13 @@ Grid<float> their_errors(const Image& reference, const Image& test) {
   write_floats(folder.path() / "reference.bin", reference);
   write_floats(folder.path() / "test.bin", test);
   const std::string script = std::string(LUMAKNOT_SOURCE_DIR) + "/tests/study/peers/flip.py";
-  const Ended ended = run({{"/usr/bin/python3", script, std::to_string(test.width),
-                            std::to_string(test.height), "reference.bin", "test.bin", "errors.bin"},
-                           folder.path(),
-                           {"LUMAKNOT_PEERS=" + peers_folder()}},
-                          std::chrono::seconds(60));
-  if (!ended.well()) throw std::runtime_error(ended.log);
+  const ProcessResult ended =
+      run({{"/usr/bin/python3", script, std::to_string(test.width), std::to_string(test.height),
+            "reference.bin", "test.bin", "errors.bin"},
+           folder.path(),
+           {"LUMAKNOT_PEERS=" + peers_folder()}},
+          std::chrono::seconds(60));
+  if (!ended.succeeded()) throw std::runtime_error(ended.log);
   EXPECT_NEAR(std::stod(ended.log), kFlipPixelsPerDegree, 1e-5);  // float
   const std::string bytes = read_file(folder.path() / "errors.bin", "their errors");
   Grid<float> errors(test.width, test.height);

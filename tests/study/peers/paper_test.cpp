@@ -9,7 +9,7 @@ namespace {
 class WholePaper : public Program {};
 
 TEST_F(WholePaper, all_three_renderers_draw_every_picture_and_agree) {
-  const Ended ended = lumaknot(
+  const ProcessResult ended = lumaknot(
       {"paper", "--size", "96", "--rounds", "1", "--seconds", "0.02", "-o", "out", "--quiet"});
   ASSERT_EQ(ended.exit_code, 0) << ended.log;
   EXPECT_EQ(ended.log, "");

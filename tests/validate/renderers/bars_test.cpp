@@ -7,14 +7,14 @@
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
-#include "validate/validate.h"
+#include "validate/run.h"
 
 namespace lumaknot {
 namespace {
 
 Programs programs() {
   Programs result;
-  result.gpu = LUMAKNOT_GPU;
+  result.paths[kGpuProgram.flag] = LUMAKNOT_GPU;
   return result;
 }
 
@@ -28,7 +28,7 @@ const Judged& judged(const Validation& v, std::string_view renderer, std::string
   return judgement_of(v, renderer).shots.at(std::size_t(found - v.shots.begin()));
 }
 
-/// One run a scene: starting Blender for every expectation would take minutes.
+/// One run per scene: starting Blender for every expectation would take minutes.
 class BuiltinScene : public ::testing::TestWithParam<std::string_view> {
  protected:
   static Validation run(std::string_view name) {
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltinScene,
                            return name;
                          });
 
-/// A picture unlike the built-in ones in everything that can go wrong in an exporter.
+/// A picture that differs from the built-in ones in everything an exporter can get wrong.
 Scene odd_scene() {
   KnotSpec knot;
   knot.p = 3;

@@ -1,9 +1,10 @@
 // Models, spaces, lights and rules in Cycles, Eevee and Cycles' OSL, against our own image.
 #include <gmock/gmock.h>
 
-#include "render/render.h"
+#include "render/reference.h"
 #include "tests/validate/small_scene.h"
-#include "validate/compare.h"
+#include "validate/compare/images.h"
+#include "validate/renderers/entry.h"
 
 namespace lumaknot {
 namespace {
@@ -11,10 +12,9 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// A renderer by its factory, and what its errors inside may come to.
+/// A renderer and what its errors inside may come to.
 struct Case {
   const char* name;
-  std::unique_ptr<Renderer> (*make)(const Programs&);
   double mean, max;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -84,7 +84,7 @@ std::vector<Shot> shots_of_every_kind() {
 
 class RendererOfBlender : public ::testing::TestWithParam<Case> {
  protected:
-  std::unique_ptr<Renderer> renderer_ = GetParam().make({});
+  std::unique_ptr<Renderer> renderer_ = renderer_entry(GetParam().name).make({});
 
   void SetUp() override {
     const Availability here = renderer_->availability();
@@ -92,7 +92,7 @@ class RendererOfBlender : public ::testing::TestWithParam<Case> {
     ASSERT_TRUE(here.found) << here.remedy;
   }
 
-  /// Ours and theirs are as near as the case says.
+  /// Ours and theirs agree within the case's limits.
   void expect_agreement(const Scene& scene, const std::vector<Shot>& shots) {
     const Grid<Fragment> fragments = visible_fragments(scene);
     const Reference reference(scene, fragments);
@@ -101,8 +101,9 @@ class RendererOfBlender : public ::testing::TestWithParam<Case> {
     for (std::size_t i = 0; i < shots.size(); ++i) {
       const RenderedShot& drawn = rendering.shots[i];
       ASSERT_EQ(drawn.status, RenderedShot::Status::kDrawn) << shots[i].name << ": " << drawn.why;
-      const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
-                                   drawn.image, rendering.limited, limits_of(renderer_->name()));
+      const Comparison c =
+          compare(reference, shots[i], shade_all(scene, shots[i], fragments), drawn.image,
+                  rendering.limited, renderer_entry(renderer_->name()).limits);
       EXPECT_GT(c.inside, 1000) << shots[i].name;
       EXPECT_EQ(c.coverage_unexplained, 0) << shots[i].name;
       EXPECT_THAT(c.exceeded, IsEmpty()) << shots[i].name;
@@ -132,7 +133,7 @@ TEST_P(RendererOfBlender, draws_what_no_light_reaches_as_we_do) {
 
 TEST_P(RendererOfBlender, skips_light_at_vertices_with_its_reason_and_draws_the_others) {
   Shot vertex = shot_of("rgb-minnaert");
-  vertex.material.rate = Rate::kVertex;
+  vertex.material.rate = ShadingFrequency::kVertex;
   const Rendering rendering = renderer_->draw(
       scene_in_three_lights(), std::vector{shot_of("rgb-phong"), vertex, shot_of("yiq-phong")});
   ASSERT_EQ(rendering.shots.size(), 3u);
@@ -148,11 +149,10 @@ TEST_P(RendererOfBlender, skips_light_at_vertices_with_its_reason_and_draws_the_
 // Cycles finds a point of a triangle, 32 texels wide, to a few 1e-5 in float32: that is 1/1000
 // texel. Texels of the bricks differ by up to 0.3, which light and space enlarge by up to 3. Most
 // pixels lie on one brick: the mean is a twentieth of it. OSL's fast pow adds 1e-5 of the colour to
-// that. Eevee snaps vertices to 1/256 pixel, and its limits say what that comes to.
+// that. Eevee snaps vertices to 1/256 pixel, which its limits account for.
 INSTANTIATE_TEST_SUITE_P(All, RendererOfBlender,
-                         ::testing::Values(Case{"Cycles", cycles_renderer, 5e-5, 1e-3},
-                                           Case{"OSL", osl_renderer, 6e-5, 1e-3},
-                                           Case{"Eevee", eevee_renderer, 5e-4, 2e-2}),
+                         ::testing::Values(Case{"Cycles", 5e-5, 1e-3}, Case{"OSL", 6e-5, 1e-3},
+                                           Case{"Eevee", 5e-4, 2e-2}),
                          [](const auto& p) { return std::string(p.param.name); });
 
 }  // namespace

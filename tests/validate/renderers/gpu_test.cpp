@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "meshgen/knot_mesh.h"
-#include "render/render.h"
+#include "render/reference.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
-#include "validate/compare.h"
-#include "validate/validate.h"
+#include "validate/compare/images.h"
+#include "validate/renderers/entry.h"
+#include "validate/run.h"
 
 namespace lumaknot {
 namespace {
 
 Programs programs() {
   Programs result;
-  result.gpu = LUMAKNOT_GPU;
+  result.paths[kGpuProgram.flag] = LUMAKNOT_GPU;
   return result;
 }
 
@@ -27,32 +28,26 @@ Shot final_shot(const std::string& formula) {
   return {formula, Stage::kFinal, *with_formula(Material{}, formula)};
 }
 
-/// The renderers of emitted shaders, by the name of their factory.
-struct Maker {
-  const char* name;
-  std::unique_ptr<Renderer> (*make)(const Programs&);
-};
-void PrintTo(const Maker& maker, std::ostream* out) { *out << maker.name; }
-
-class EmittedShaders : public ::testing::TestWithParam<Maker> {
+/// By the renderer's name.
+class EmittedShaders : public ::testing::TestWithParam<const char*> {
  protected:
   Rendering draw(const Scene& scene, const std::vector<Shot>& shots) {
-    return GetParam().make(programs())->draw(scene, shots);
+    return renderer_entry(GetParam()).make(programs())->draw(scene, shots);
   }
 };
 
 /// The largest difference of the two images' 8-bit values, in steps, inside.
 double eight_bit_steps(const Reference& reference, const Image& a, const Image& b) {
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     if (a.pixels[i].coverage != b.pixels[i].coverage || reference.silhouettes.pixels[i]) continue;
     const Rgb &p = a.pixels[i].color, &q = b.pixels[i].color;
     for (const auto& [x, y] : {std::pair(p.r, q.r), std::pair(p.g, q.g), std::pair(p.b, q.b)}) {
       const auto step = [](float v) { return std::round(255 * std::clamp(v, 0.0f, 1.0f)); };
-      most = std::max(most, double(std::abs(step(x) - step(y))));
+      max = std::max(max, double(std::abs(step(x) - step(y))));
     }
   }
-  return most;
+  return max;
 }
 
 TEST_P(EmittedShaders, draw_figure2_as_we_do) {
@@ -64,7 +59,7 @@ TEST_P(EmittedShaders, draw_figure2_as_we_do) {
   const Rendering rendering = draw(scene, shots);
   // 1/128 pixel: vertices are snapped to 1/256. 2e-4: what this project promises in float; beyond
   // it a pixel must be at a texel's edge or have moved by so much.
-  const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 2e-4, .reason = ""};
+  const Limits limits{.edge = 1.0 / 128, .outlier = 2e-4, .reason = ""};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn) << rendering.shots[i].why;
     const Image ours = shade_all(scene, shots[i], fragments);
@@ -113,15 +108,15 @@ TEST_P(EmittedShaders, draw_every_formula_gamut_rate_and_light_as_we_do) {
     shot.material.specular_color = {1, 0.9, 0.5};
     shot.material.gamut = Gamut(shots.size() % 3);
     shot.material.highlights = Highlights(shots.size() % 2);
-    shot.material.rate = Rate(shots.size() / 2 % 2);
+    shot.material.rate = ShadingFrequency(shots.size() / 2 % 2);
     shots.push_back(shot);
   }
   const Grid<Fragment> fragments = visible_fragments(scene);
   const Reference reference(scene, fragments);
   const Rendering rendering = draw(scene, shots);
-  // 1/128 pixel as above. 1e-3 at most without a class: ATD95 and the roots of the CIE spaces take
+  // 1/128 pixel as above. At most 1e-3 without a class: ATD95 and the roots of the CIE spaces take
   // float32 roundings of 1e-5 apart, times the texture's steps where a sample moved within a texel.
-  const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
+  const Limits limits{.edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn)
         << shots[i].name << ": " << rendering.shots[i].why;
@@ -142,7 +137,7 @@ TEST_P(EmittedShaders, draw_textures_baked_into_several_spaces) {
   const Rendering rendering = draw(scene, shots);
   const Grid<Fragment> fragments = visible_fragments(scene);
   const Reference reference(scene, fragments);
-  const Limits limits{.renderer = "", .edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
+  const Limits limits{.edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
                                  rendering.shots[i].image, false, limits);
@@ -169,11 +164,8 @@ TEST_P(EmittedShaders, draw_a_plain_colour_without_a_light) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EmittedShaders,
-                         ::testing::Values(Maker{"gl", gl_renderer}, Maker{"gles", gles_renderer},
-                                           Maker{"vulkan", vulkan_renderer},
-                                           Maker{"hlsl", hlsl_renderer}),
-                         [](const auto& p) { return std::string(p.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, EmittedShaders, ::testing::Values("GL", "GLES", "Vulkan", "HLSL"),
+                         [](const auto& p) { return std::string(p.param); });
 
 }  // namespace
 }  // namespace lumaknot

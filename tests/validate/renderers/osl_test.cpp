@@ -5,7 +5,8 @@
 
 #include "scene/shot.h"
 #include "tests/validate/small_scene.h"
-#include "validate/blender_run.h"
+#include "validate/renderers/blender_run.h"
+#include "validate/renderers/entry.h"
 
 namespace lumaknot {
 namespace {
@@ -15,11 +16,11 @@ using ::testing::MatchesRegex;
 
 TEST(OslRenderer, without_its_python_is_missing_and_skips_with_the_remedy) {
   Programs programs;
-  programs.osl_python = "/nowhere/bin/python";
-  const auto renderer = osl_renderer(programs);
+  programs.paths[kOslProgram.flag] = "/nowhere/bin/python";
+  const auto renderer = renderer_entry("OSL").make(programs);
   EXPECT_FALSE(renderer->availability().found);
   EXPECT_THAT(renderer->availability().remedy,
-              HasSubstr("/nowhere/bin/python is not here; scripts/install-extras osl"));
+              HasSubstr("/nowhere/bin/python not found; scripts/install-extras osl"));
   const Rendering rendering =
       renderer->draw(testing::small_scene(), std::vector{testing::final_shot("phong")});
   EXPECT_EQ(rendering.renderer, "OSL");
@@ -30,15 +31,15 @@ TEST(OslRenderer, without_its_python_is_missing_and_skips_with_the_remedy) {
 
 TEST(OslRenderer, of_a_python_without_bpy_is_missing) {
   Programs programs;
-  programs.osl_python = "/usr/bin/python3";  // Debian's Blender is no module of it
-  const Availability here = osl_renderer(programs)->availability();
+  programs.paths[kOslProgram.flag] = "/usr/bin/python3";  // Debian's Blender is not a module of it
+  const Availability here = renderer_entry("OSL").make(programs)->availability();
   EXPECT_FALSE(here.found);
   EXPECT_THAT(here.remedy, HasSubstr("No module named 'bpy'; scripts/install-extras osl"));
 }
 
 class InstalledOsl : public ::testing::Test {
  protected:
-  Availability here_ = osl_renderer({})->availability();
+  Availability here_ = renderer_entry("OSL").make({})->availability();
 
   void SetUp() override {
     if (!here_.found) GTEST_SKIP() << here_.remedy;

@@ -1,5 +1,5 @@
-// Lights, models and spaces in POV-Ray itself against our own image: what its lighting expresses,
-// it draws; what it does not is composed or skipped, and says so.
+// Lights, models and spaces in POV-Ray itself against our own image: it draws what its lighting can
+// express; the rest is composed or skipped, with a note.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "scene/shot.h"
 #include "tests/validate/small_scene.h"
-#include "validate/validate.h"
+#include "validate/run.h"
 
 namespace lumaknot {
 namespace {
@@ -45,7 +45,7 @@ void expect_native(const Validation& v) {
   for (const Judged& shot : v.judgements.at(0).shots) EXPECT_EQ(shot.drawn.note, "");
 }
 
-/// The small scene in colours that a wrong channel would show.
+/// The small scene in colours that would reveal a wrong channel.
 Scene lit_by(std::vector<Light> lights) {
   Scene scene = testing::small_scene();
   scene.view.lights = std::move(lights);
@@ -178,7 +178,7 @@ TEST(PovMaterial, what_can_not_be_composed_is_skipped_with_the_nearest_thing) {
   std::vector<Shot> finals{{"rgb-phong", Stage::kFinal, formula("rgb-phong")},
                            {"metal", Stage::kFinal, formula("yiq-cook-torrance")},
                            {"gouraud", Stage::kFinal, formula("rgb-phong")}};
-  finals.back().material.rate = Rate::kVertex;
+  finals.back().material.rate = ShadingFrequency::kVertex;
   const Validation v = run(lit_by({PointLight{}}), finals);
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
   EXPECT_EQ(judged(v, "rgb-phong").drawn.status, RenderedShot::Status::kDrawn);
@@ -189,10 +189,10 @@ TEST(PovMaterial, what_can_not_be_composed_is_skipped_with_the_nearest_thing) {
   }
 }
 
-// POV-Ray names the file of a single frame like that of no animation.
+// POV-Ray names the file of a single frame as if there were no animation.
 TEST(PovMaterial, one_frame_alone_is_drawn) {
   Shot shot{"gouraud", Stage::kFinal, formula("rgb-phong")};
-  shot.material.rate = Rate::kVertex;
+  shot.material.rate = ShadingFrequency::kVertex;
   const Validation v = run(testing::small_scene(), {shot});
   EXPECT_EQ(judged(v, "texture").drawn.status, RenderedShot::Status::kDrawn);
   for (const char* skipped : {"diffuse", "specular", "gouraud"}) {

@@ -1,0 +1,42 @@
+#include "cli/commands/shared_arguments.h"
+
+#include "cli/terminal.h"
+#include "scene/presets.h"
+#include "validate/renderers/entry.h"
+
+namespace lumaknot {
+Argument scene_argument(std::string& scene) {
+  Argument argument{.names = "scene",
+                    .target = &scene,
+                    .meaning = "scene file, built-in scene, or - for standard input",
+                    .value = kScene,
+                    .checked = false};
+  for (const NamedScene& known : named_scenes()) argument.choices.emplace_back(known.name);
+  return argument;
+}
+
+std::vector<Argument> output_arguments(Output& output) {
+  return {{.names = "--quiet", .target = &output.quiet, .meaning = "print only errors"},
+          {.names = "--json", .target = &output.json, .meaning = "print the result as JSON"}};
+}
+
+Argument program_argument(Programs& programs, const ProgramInfo& program) {
+  std::string& path = programs.paths[program.flag];
+  path = Programs{}.path(program);
+  return {.names = std::string(program.flag),
+          .target = &path,
+          .meaning = program.meaning,
+          .value = kProgram,
+          .default_text = std::string(program.place),
+          .heading = "External programs"};
+}
+
+std::vector<Argument> program_arguments(Programs& programs) {
+  std::vector<Argument> all;
+  for (const ProgramInfo* program : renderer_programs()) {
+    all.push_back(program_argument(programs, *program));
+  }
+  return all;
+}
+
+}  // namespace lumaknot

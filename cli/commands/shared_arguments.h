@@ -1,0 +1,27 @@
+/// Arguments that several commands share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+
+namespace lumaknot {
+
+struct Output;
+struct ProgramInfo;
+struct Programs;
+
+/// The scene to work on: a file, a built-in scene or standard input.
+Argument scene_argument(std::string& scene);
+
+/// --quiet and --json.
+std::vector<Argument> output_arguments(Output& output);
+
+/// The path of an external program.
+Argument program_argument(Programs& programs, const ProgramInfo& program);
+
+/// The paths of all that renderers run.
+std::vector<Argument> program_arguments(Programs& programs);
+
+}  // namespace lumaknot

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+
+#include "cli/command_table.h"
+#include "cli/commands/output_folder.h"
+#include "cli/commands/scene_input.h"
+#include "cli/commands/shared_arguments.h"
+#include "cli/terminal.h"
+#include "scene/check.h"
+#include "scene/presets.h"
+#include "system/atomic_file.h"
+#include "system/error.h"
+#include "system/process.h"
+#include "validate/renderers/entry.h"
+#include "validate/report/forms.h"
+
+namespace lumaknot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long long kMaxSamples = 1LL << 24;  // each takes about 600 bytes
+
+struct ValidateFlags {
+  std::string scene = "figure2", output = "report";
+  std::vector<std::string> models, renderers;
+  Programs programs;
+  double time_limit = 300;
+  Output out;
+};
+
+/// The materials to draw: those named, or the scene's own and the paper's three.
+std::vector<Shot> finals(const Material& own, const std::vector<std::string>& models) {
+  std::vector<Shot> shots;
+  if (models.empty()) {
+    const auto is_own = [&](const NamedMaterial& m) { return m.name == formula_name(own); };
+    if (std::ranges::none_of(paper_materials(), is_own)) {
+      shots.push_back({"scene", Stage::kFinal, own});
+    }
+    for (const NamedMaterial& m : paper_materials()) {
+      shots.push_back({std::string(m.name), Stage::kFinal, *with_formula(own, m.name)});
+    }
+  }
+  for (const std::string& name : models) {
+    if (std::ranges::count(shots, name, &Shot::name) > 0) continue;
+    shots.push_back({name, Stage::kFinal, name == "scene" ? own : *with_formula(own, name)});
+  }
+  return shots;
+}
+
+/// `text` quoted as one word for a shell.
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("_-./:=,").find(char(c)) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string repeat_command(const ValidateFlags& flags) {
+  std::string command = "lumaknot validate " + shell_word(flags.scene);
+  const auto add = [&](std::string_view flag, const std::string& value) {
+    command += fmt::format(" {} {}", flag, shell_word(value));
+  };
+  for (const std::string& model : flags.models) add("--model", model);
+  for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
+  for (const ProgramInfo* program : renderer_programs()) {
+    const std::string path = flags.programs.path(*program);
+    if (path != Programs{}.path(*program)) add(program->flag, path);
+  }
+  add("-o", flags.output);
+  return command;
+}
+
+/// A line with the outcome of a renderer.
+std::string summary(const RendererResult& judgement) {
+  std::string line = fmt::format("{:<8} ", judgement.rendering.renderer);
+  const std::vector<Judged>& shots = judgement.shots;
+  const auto status = [](const Judged& shot) { return shot.drawn.status; };
+  auto first = std::ranges::find(shots, RenderedShot::Status::kFailed, status);
+  const bool failed = first != shots.end();
+  if (!failed) first = std::ranges::find(shots, RenderedShot::Status::kSkipped, status);
+  if (failed || !judgement.drew_any()) {
+    return line + fmt::format("{}: {}", outcome(*first), first->drawn.why);
+  }
+  const std::string& where = judgement.first_difference;
+  line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
+  const auto count = std::ranges::count(shots, RenderedShot::Status::kSkipped, status);
+  if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
+  return line;
+}
+
+int exit_code_of(Verdict verdict) {
+  if (verdict == Verdict::kAgreed) return kExitAgreed;
+  return verdict == Verdict::kDiffered ? kExitDiffered : kExitNothingToCompare;
+}
+
+int run(ValidateFlags flags) {
+  const SceneInput input = read_scene(flags.scene);
+  for (const char* file : {"report.json", "report.html"}) {
+    check_not_input(fs::path(flags.output) / file, input, "--output");
+  }
+  check_samples(input.spec.view.image, kMaxSamples);
+  ValidationJob job{sample_by_sample(load_scene(input)),
+                    finals(input.spec.view.material, flags.models), flags.renderers,
+                    flags.programs};
+  check_number("--time-limit", flags.time_limit, kPositive);
+  job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
+  const OutputFolder output_folder(flags.output, "report.html");
+  const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
+  const Validation validation = validate(job, [&](const std::string& line) {
+    if (verbose) fmt::print(stderr, "{}\n", line);
+  });
+  const ReportHead head{flags.scene, repeat_command(flags)};
+  const std::string json = report_json(validation, head);
+  write_file(fs::path(flags.output) / "report.json", json, "--output");
+  write_file(fs::path(flags.output) / "report.html", report_html(validation, head), "--output");
+  if (flags.out.json) fmt::print("{}", json);
+  for (const RendererResult& judgement : validation.judgements) flags.out.say(summary(judgement));
+  flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
+                            verdict_name(validation.verdict), validation.seconds,
+                            (fs::path(flags.output) / "report.html").string()));
+  return exit_code_of(validation.verdict);
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names{"scene"};
+  for (const NamedMaterial& m : paper_materials()) names.emplace_back(m.name);
+  std::ranges::copy(formula_names(), std::back_inserter(names));
+  return names;
+}
+
+std::vector<std::string> renderer_flags() {
+  std::vector<std::string> flags;
+  for (const RendererEntry* entry : renderer_entries()) flags.emplace_back(entry->flag);
+  return flags;
+}
+
+std::vector<Argument> validate_arguments(ValidateFlags& flags) {
+  std::vector<Argument> all{
+      scene_argument(flags.scene),
+      {.names = "-o,--output",
+       .target = &flags.output,
+       .meaning = "folder for report.html and report.json",
+       .value = kFolder},
+      {.names = "--model",
+       .target = &flags.models,
+       .meaning = "material to draw: scene, one of the paper's (phong, yiq-table1, yiq-eq6), or a "
+                  "shader from lumaknot shader --list",
+       .default_text = "the scene's own and the paper's",
+       .choices = model_names()},
+      {.names = "--renderer,--against",
+       .target = &flags.renderers,
+       .meaning = "renderers to compare",
+       .default_text = "cycles,povray,eevee,gl,vulkan",
+       .choices = renderer_flags(),
+       .list = true},
+      {.names = "--time-limit",
+       .target = &flags.time_limit,
+       .meaning = "seconds a renderer may take",
+       .range = kPositive,
+       .checked = false}};
+  append(all, output_arguments(flags.out));
+  append(all, program_arguments(flags.programs));
+  return all;
+}
+
+}  // namespace
+
+Subcommand validate_command() {
+  const auto flags = std::make_shared<ValidateFlags>();
+  return {
+      .name = "validate",
+      .group = Group::kProve,
+      .about = "Draw a scene with every renderer and prove whether they agree",
+      .arguments = validate_arguments(*flags),
+      .notes =
+          "Exit code: 0 all agree, 1 one differs or fails, 2 invalid usage or input, 3 nothing to "
+          "compare with.",
+      .examples = {{"lumaknot validate -o report/"},
+                   {"lumaknot validate scene.json --model scene --renderer povray -o report/"},
+                   {"lumaknot validate --model cielab-cook-torrance --against gl,vulkan"},
+                   {"lumaknot validate figure1-back --blender /opt/blender-4.2/blender"}},
+      .run = [flags] {
+        const InterruptGuard guard;
+        return run(*flags);
+      }};
+}
+
+}  // namespace lumaknot

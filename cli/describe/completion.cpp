@@ -1,0 +1,15 @@
+#include "cli/describe/completion.h"
+
+namespace lumaknot {
+
+std::string brief(const Argument& argument) {
+  return std::string(argument.meaning.substr(0, argument.meaning.find(';')));
+}
+
+std::string single_quoted(std::string_view text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace lumaknot

@@ -1,9 +1,0 @@
-#include "render/kernels/packet_kernel.h"
-
-namespace lumaknot {
-
-std::unique_ptr<Kernel> make_avx512_kernel(FrameData& data) {
-  return std::unique_ptr<Kernel>(new PacketKernel<xsimd::avx512bw>(data));
-}
-
-}  // namespace lumaknot

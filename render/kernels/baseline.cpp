@@ -1,9 +1,0 @@
-#include "render/kernels/packet_kernel.h"
-
-namespace lumaknot {
-
-std::unique_ptr<Kernel> make_baseline_kernel(FrameData& data) {
-  return std::unique_ptr<Kernel>(new PacketKernel<xsimd::default_arch>(data));
-}
-
-}  // namespace lumaknot

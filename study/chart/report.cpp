@@ -1,0 +1,226 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scene/fields.h"
+#include "study/chart/checkpoint.h"
+
+namespace lumaknot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Metric kMetrics[] = {
+    {"rmse", "RMSE of all channels", &Errors::rmse},
+    {"p99.9", "99.9 % of pixels' largest channels differ by less", &Errors::p999},
+    {"max", "largest difference of a channel", &Errors::max},
+    {"deltae", "mean CIEDE2000", &Errors::delta_e},
+    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &Errors::delta_e_p999},
+    {"deltae-max", "largest CIEDE2000", &Errors::delta_e_max},
+    {"flip", "mean FLIP at 67 pixels a degree", &Errors::flip}};
+
+Json method_json(const Method& m) {
+  return {{"segments", m.segments},  {"sides", m.sides},          {"rate", int(m.rate)},
+          {"space", int(m.space)},   {"formula", int(m.formula)}, {"number", int(m.number)},
+          {"filter", int(m.filter)}, {"samples", m.samples},      {"culls", m.culls}};
+}
+
+Method method_from(const Json& json) {
+  return {json.at("segments"),
+          json.at("sides"),
+          ShadingFrequency(json.at("rate").get<int>()),
+          Space(json.at("space").get<int>()),
+          Formula(json.at("formula").get<int>()),
+          Number(json.at("number").get<int>()),
+          Filter(json.at("filter").get<int>()),
+          json.at("samples"),
+          json.at("culls")};
+}
+
+Json errors_json(const Errors& errors) {
+  Json json;
+  for (const Metric& metric : kMetrics) json[std::string(metric.name)] = errors.*metric.value;
+  return json;
+}
+
+Json point_json(const Chart& chart, const ChartPoint& point) {
+  Json json{{"name", point.name}};
+  if (point.method) json["method"] = method_json(*point.method);
+  json["space"] = kSpaceNames[std::size_t(point.space)];
+  if (!point.how.empty()) json["how"] = point.how;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    if (point.errors[truth]) {
+      json["errors"][std::string(kTruthNames[truth])] = errors_json(*point.errors[truth]);
+    }
+  }
+  if (const auto time = frame_time(chart, point)) {
+    json["milliseconds"] = {{"median", time->median}, {"least", time->min}, {"most", time->max}};
+  }
+  json["rounds"] = {{"ratios", point.ratios}, {"milliseconds", point.milliseconds}};
+  return json;
+}
+
+ChartPoint point_from(const Json& json) {
+  ChartPoint point;
+  point.name = json.at("name");
+  if (json.contains("method")) point.method = method_from(json["method"]);
+  const auto space = std::ranges::find(kSpaceNames, json.at("space").get<std::string>());
+  point.space = Space(space - kSpaceNames.begin());
+  point.how = json.value("how", "");
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    const std::string name(kTruthNames[truth]);
+    if (!json.contains("errors") || !json["errors"].contains(name)) continue;
+    Errors errors;
+    for (const Metric& metric : kMetrics) {
+      errors.*metric.value = json["errors"][name].at(std::string(metric.name));
+    }
+    point.errors[truth] = errors;
+  }
+  point.ratios = json.at("rounds").at("ratios").get<std::vector<double>>();
+  point.milliseconds = json.at("rounds").at("milliseconds").get<std::vector<double>>();
+  return point;
+}
+
+Json front_json(const Chart& chart, const Metric& metric, std::size_t truth, Space space) {
+  Json names = Json::array();
+  for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+    names.push_back(chart.points[i].name);
+  }
+  return names;
+}
+
+/// By truth, metric and space.
+Json fronts_json(const Chart& chart) {
+  Json fronts;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    for (const Metric& metric : kMetrics) {
+      Json& all = fronts[std::string(kTruthNames[truth])][std::string(metric.name)];
+      for (const Space space : spaces_in(chart)) {
+        all[std::string(kSpaceNames[std::size_t(space)])] = front_json(chart, metric, truth, space);
+      }
+    }
+  }
+  return fronts;
+}
+
+/// `text` as a field of a table.
+std::string quoted(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
+std::string csv_heads() {
+  std::string errors, fronts;
+  for (const std::string_view truth : kTruthNames) {
+    for (const Metric& metric : kMetrics) {
+      errors += fmt::format(",{} {}", truth, metric.name);
+      fronts += fmt::format(",on {} {} front", truth, metric.name);
+    }
+  }
+  return "name,space,milliseconds,least,most" + errors + fronts + "\n";
+}
+
+/// Whether each point is on its space's front.
+using FrontMembers = std::vector<bool>;
+
+/// By truth and metric, in the order of the heads.
+std::vector<FrontMembers> front_members(const Chart& chart) {
+  std::vector<FrontMembers> all;
+  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+    for (const Metric& metric : kMetrics) {
+      FrontMembers& members = all.emplace_back(chart.points.size());
+      for (const Space space : spaces_in(chart)) {
+        for (const std::size_t i : pareto_front(chart, metric, truth, space)) members[i] = true;
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::span<const Metric> chart_metrics() { return kMetrics; }
+
+Json chart_values(const Chart& chart) {
+  Json json{{"complete", chart.complete}, {"width", chart.width},       {"height", chart.height},
+            {"truth", chart.truth},       {"baseline", chart.baseline}, {"same_time", kSameTime},
+            {"same_error", kSameError}};
+  if (chart.complete) json["fronts"] = fronts_json(chart);
+  json["points"] = json["missing"] = Json::array();
+  for (const ChartPoint& point : chart.points) json["points"].push_back(point_json(chart, point));
+  for (const MissingPoint& m : chart.missing) {
+    json["missing"].push_back({{"name", m.name}, {"why", m.why}});
+  }
+  return json;
+}
+
+std::string chart_json(const Chart& chart) {
+  return checkpoint_text(chart_keys(chart), chart_values(chart));
+}
+
+Chart chart_from(const Json& json) {
+  Chart chart{json.at("scene"),
+              json.at("program"),
+              json.at("width"),
+              json.at("height"),
+              json.at("truth"),
+              json.at("baseline"),
+              {},
+              {},
+              json.at("complete")};
+  for (const Json& point : json.at("points")) chart.points.push_back(point_from(point));
+  for (const Json& m : json.at("missing")) chart.missing.push_back({m.at("name"), m.at("why")});
+  return chart;
+}
+
+std::string chart_csv(const Chart& chart) {
+  std::string text = csv_heads();
+  const std::vector<FrontMembers> fronts = front_members(chart);
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
+    text += fmt::format("{},{}", quoted(point.name), kSpaceNames[std::size_t(point.space)]);
+    const auto time = frame_time(chart, point);
+    text += time ? fmt::format(",{},{},{}", time->median, time->min, time->max) : ",,,";
+    for (const auto& errors : point.errors) {
+      for (const Metric& metric : kMetrics) {
+        text += errors ? fmt::format(",{}", (*errors).*metric.value) : ",";
+      }
+    }
+    for (const FrontMembers& members : fronts) text += members[i] ? ",1" : ",0";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string chart_text(const Chart& chart, const Metric& metric) {
+  constexpr int kName = 46;
+  std::string text;
+  for (const Space space : spaces_in(chart)) {
+    for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
+      text += fmt::format("{:<{}}  {:>9}  {:>8}  {}\n",
+                          fmt::format("front in {}, from the {} truth",
+                                      kSpaceNames[std::size_t(space)], kTruthNames[truth]),
+                          kName, metric.name, "ms", "least..most");
+      for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
+        const ChartPoint& point = chart.points[i];
+        const Spread time = *frame_time(chart, point);
+        text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kName - 2,
+                            (*point.errors[truth]).*metric.value, shown_time(time.median),
+                            shown_time(time.min), shown_time(time.max));
+      }
+    }
+  }
+  for (const MissingPoint& m : chart.missing) {
+    text += fmt::format("{}  missing: {}\n", m.name, m.why);
+  }
+  return text + fmt::format(
+                    "Errors from the exact picture in a method's own space: {}.\nTimes "
+                    "are of one thread (Cycles, Eevee and POV-Ray: all cores); those within {:.0f} "
+                    "% count as "
+                    "equal, errors within {:.0f} %.",
+                    chart.truth, 100 * kSameTime, 100 * kSameError);
+}
+
+}  // namespace lumaknot

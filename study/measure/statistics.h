@@ -1,0 +1,39 @@
+/// Statistics of repeated measurements.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lumaknot {
+
+/// The median and range of measurements.
+struct Spread {
+  double median = 0, min = 0, max = 0;
+};
+
+/// The bounds of a value; infinite if unknown.
+struct Interval {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+/// The median of `values`, which must not be empty; of an even number the mean of the middle two.
+double median(std::vector<double> values);
+
+/// A confidence interval of at least 95 % for the median of what `values` were drawn from: between
+/// two of them (order statistics, for any distribution). Infinite for fewer than six.
+Interval median_interval(std::vector<double> values);
+
+/// Of `values`, which must not be empty.
+Spread spread_of(std::span<const double> values);
+
+/// The median of above[i] / below[i]: measurements taken alternately, so that what slows the
+/// machine for a while slows both. Equally many of each, at least one.
+double paired_ratio(std::span<const double> above, std::span<const double> below);
+
+/// A time as text: three digits, and all before the decimal point.
+std::string shown_time(double milliseconds);
+
+}  // namespace lumaknot

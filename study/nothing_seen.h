@@ -1,9 +1,0 @@
-/// What is said of a scene that no pixel shows.
-#pragma once
-
-namespace lumaknot {
-
-inline constexpr const char* kNothingSeen =
-    "the scene covers no pixel's centre; move camera.position nearer, or turn it to camera.target";
-
-}  // namespace lumaknot

@@ -1,0 +1,157 @@
+#include "study/plan/prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "meshgen/deviation.h"
+#include "meshgen/knot_mesh.h"
+#include "meshgen/sharpest_bend.h"
+#include "render/fast/renderer.h"
+#include "render/projection.h"
+#include "scene/angle.h"
+
+namespace lumaknot {
+namespace {
+
+constexpr double kRounding = 0x1p-24;  // of float, relative
+
+/// The largest change of cos^k per radian of its angle.
+double slope_of_power(double k) { return k <= 1 ? 1 : std::sqrt(k / std::numbers::e) + 0.1; }
+
+/// Lambert's or Minnaert's largest value; empty for Oren-Nayar.
+std::optional<double> diffuse_slope(const Material& m) {
+  if (m.model == Model::kOrenNayar) return {};
+  if (m.model != Model::kMinnaert) return 1;
+  if (m.darkness < 1) return {};
+  return 2 * m.darkness - 1;
+}
+
+/// How many times as fast as the normal the highlight's angle changes.
+double highlight_turn(const Material& m) { return m.model == Model::kBlinnPhong ? 1 : 2; }
+
+std::optional<double> specular_slope(const Material& m) {
+  if (m.model == Model::kCookTorrance) return {};
+  return highlight_turn(m) * slope_of_power(m.shininess);
+}
+
+double max_speed(const Spine& spine) {
+  double max = 0;
+  for (int i = 0; i < 1024; ++i) {
+    max = std::max(
+        max,
+        length(curve_point(spine.curve(), torus_angles(spine.curve(), kTurn * i / 1024)).first));
+  }
+  return max;
+}
+
+double nearest_depth(std::span<const Fragment> seen) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Fragment& f : seen) nearest = std::min(nearest, f.depth);
+  return nearest;
+}
+
+/// The sum of two parts, each possibly without a bound; one of weight 0 needs none.
+std::optional<double> sum_of(double a, std::optional<double> of_a, double b,
+                             std::optional<double> of_b) {
+  if ((a > 0 && !of_a) || (b > 0 && !of_b)) return {};
+  return (a > 0 ? a * *of_a : 0) + (b > 0 ? b * *of_b : 0);
+}
+
+}  // namespace
+
+bool PredictedError::promises(const Tolerance& tolerance, double dropped) const {
+  if (!shading || !filter) return false;
+  return place + sampling <= tolerance.shift &&
+         *shading + *filter + precision + dropped <= tolerance.color;
+}
+
+Predictor::Predictor(const SimplifiedScene& simplified, const KnotSpec& knot,
+                     std::span<const Fragment> seen, const Tolerance& tolerance)
+    : knot_(knot),
+      spine_(centre_lines(knot).front()),
+      tolerance_(tolerance),
+      material_(simplified.view.material),
+      speed_(max_speed(spine_)),
+      curvature_(sharpest_bend(spine_.curve()).curvature),
+      lights_(light_bounds(simplified.view, texture_bounds(simplified.texture).peak, seen)),
+      ambient_(simplified.view.ambient * largest_component(simplified.view.ambient_color)),
+      emissive_(largest_component(material_.emissive)),
+      texture_(texture_bounds(simplified.texture)) {
+  if (const auto* image = std::get_if<TextureImage>(&simplified.texture)) {
+    texels_ = {double(image->width) * knot.repeat_u, double(image->height) * knot.repeat_v};
+  }
+  const Projection projection(simplified.view.camera, simplified.view.image.width,
+                              simplified.view.image.height);
+  const double depth = nearest_depth(seen);
+  pixel_ = projection.pixel_width() * depth;
+  nearest_ = std::min(depth, lights_ ? lights_->nearest : depth);
+}
+
+/// The largest change of colour if the normal turns and the point moves by these amounts.
+std::optional<double> Predictor::per_pixel(double normal_turn, double offset) const {
+  if (!lights_) return {};
+  const double turn = normal_turn + offset / nearest_;  // directions to lamp and eye turn too
+  const auto change = sum_of(lights_->diffuse, diffuse_slope(material_), lights_->specular,
+                             specular_slope(material_));
+  if (!change) return {};
+  const double all = lights_->diffuse + lights_->specular;
+  const double weakening = 2 * offset / nearest_ * all;  // of a falloff by the square
+  return std::min(turn * *change + weakening, all);
+}
+
+/// A term's error between vertices: alpha^2 / 8 times its second derivative; where it sets in
+/// sharply, a quarter of the change by its slope over the cell.
+std::optional<double> Predictor::per_vertex(const Method& m) const {
+  if (!lights_) return {};
+  if (lights_->diffuse > 0 && material_.model != Model::kPhong &&
+      material_.model != Model::kBlinnPhong && material_.model != Model::kCookTorrance) {
+    return {};
+  }
+  if (lights_->specular > 0 && material_.model == Model::kCookTorrance) return {};
+  const double along = kTurn / m.segments * speed_;
+  const double around = kTurn / m.sides;
+  const double turn =
+      std::hypot(around, along * curvature_) +
+      std::hypot(along * (1 + knot_.tube_radius * curvature_), around * knot_.tube_radius) /
+          nearest_;
+  const double diffuse = std::min(1.0, turn / 4 + turn * turn / 8);
+  const double k = material_.shininess, inner = highlight_turn(material_) * turn;
+  const double specular = k < 2 ? 1 : std::min(1.0, k * inner * inner / 8);
+  return lights_->diffuse * diffuse + lights_->specular * specular;
+}
+
+/// A weighted mean of texels is within their contrast of another. The reference's own filter at a
+/// point is exact.
+std::optional<double> Predictor::filter(const Method& m) const {
+  if (texture_.contrast == 0) return 0;
+  if (m.samples == 1 && m.filter == Filter::kBilinear) return 0;
+  if (material_.space != Space::kRgb || !lights_) return {};
+  const double light = ambient_ + lights_->diffuse / std::max(texture_.peak, 1e-9);
+  return texture_.contrast * light;
+}
+
+PredictedError Predictor::of(const Method& m) const {
+  const TubeSurface surface(spine_, knot_.tube_radius);
+  const DeviationBound bound = deviation_bound(surface, m.segments, m.sides);
+  PredictedError error;
+  error.place = bound.offset / pixel_;
+  if (m.number == Number::kFloat) error.place += std::numbers::sqrt2 / 2 / kSubpixels;
+  error.sampling = m.samples > 1 ? 0.5 / std::sqrt(double(m.samples)) : 0;
+  error.shading = m.rate == ShadingFrequency::kPixel
+                      ? per_pixel(bound.normal_degrees * kTurn / 360, bound.offset)
+                      : per_vertex(m);
+  error.filter = filter(m);
+  constexpr double kRoundings = 32;  // from the vertices to the colour
+  const double own = m.number == Number::kFloat ? kRounding : kRounding * kRounding;
+  const double diffuse = ambient_ + (lights_ ? lights_->diffuse : 0);
+  const double light =
+      1 + emissive_ + diffuse + (lights_ ? lights_->specular * material_.shininess : 0);
+  // Texture coordinates are rounded too: a part of a texel is that part of the contrast.
+  const double texels = texture_.contrast * std::max(texels_.u, texels_.v) * (1 + diffuse);
+  error.precision = own * (kRoundings * light + 4 * texels);
+  return error;
+}
+
+}  // namespace lumaknot

@@ -1,9 +1,0 @@
-/// How often a program of tests got memory.
-#pragma once
-
-namespace lumaknot::testing {
-
-/// The calls of operator new until now, in all threads.
-long allocations();
-
-}  // namespace lumaknot::testing

@@ -1,0 +1,183 @@
+#include "validate/compare/explain.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "render/projection.h"
+
+namespace lumaknot {
+namespace {
+
+Vec3d triangle_normal(const TriangleMesh& mesh, const Fragment& fragment) {
+  const Triangle& t = mesh.triangles[std::size_t(fragment.triangle)];
+  const Vec3d normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                             mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const double size = length(normal);
+  return size > 0 ? normal / size : normal;
+}
+
+bool one_sheet(const TriangleMesh& mesh, const Fragment& a, const Fragment& b, double tolerance) {
+  const Vec3d apart = b.position - a.position;
+  return std::abs(dot(triangle_normal(mesh, a), apart)) <= tolerance ||
+         std::abs(dot(triangle_normal(mesh, b), apart)) <= tolerance;
+}
+
+bool at_silhouette(const Scene& scene, const Grid<Fragment>& fragments, double pixel_width, int x,
+                   int y) {
+  const Fragment& here = fragments.at(x, y);
+  for (int ny = std::max(0, y - 1); ny <= std::min(fragments.height - 1, y + 1); ++ny) {
+    for (int nx = std::max(0, x - 1); nx <= std::min(fragments.width - 1, x + 1); ++nx) {
+      const Fragment& there = fragments.at(nx, ny);
+      if (!there.covered()) return true;
+      if (!one_sheet(scene.mesh, here, there, 2 * pixel_width * here.depth)) return true;
+    }
+  }
+  return false;
+}
+
+bool faces_away(const Scene& scene, const Fragment& fragment) {
+  return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
+}
+
+/// How a renderer departs from our formulas.
+struct Habits {
+  bool turns = false;  ///< normals that face away are turned to the viewer
+  bool gates = false;  ///< there is no highlight where n.l <= 0
+};
+constexpr Habits kAllHabits[] = {{false, false}, {false, true}, {true, false}, {true, true}};
+
+/// Our colour of the fragment, drawn as by a renderer with these habits.
+Vec3d drawn_with(Habits habits, const Scene& scene, Shot shot, Fragment fragment) {
+  if (habits.turns && faces_away(scene, fragment)) fragment.normal = -fragment.normal;
+  if (habits.gates) shot.material.highlights = Highlights::kGated;
+  return shade(scene, shot, fragment);
+}
+
+bool agrees(const Vec3d& ours, const TheirPixel& theirs) {
+  return channel_error(ours, theirs.color, theirs.limited) <= theirs.tolerance;
+}
+
+/// Whether each channel of theirs is between the smallest and the largest of `colors`.
+bool lies_among(const std::vector<Vec3d>& colors, const TheirPixel& theirs) {
+  const auto shown = [&](double v) { return theirs.limited ? std::clamp(v, 0.0, 1.0) : v; };
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto of = [&](const Vec3d& c) { return shown(components(c)[channel]); };
+    const auto [low, high] = std::ranges::minmax(colors, {}, of);
+    const double value = of(to_vec(theirs.color));
+    if (value < of(low) - theirs.tolerance || value > of(high) + theirs.tolerance) return false;
+  }
+  return true;
+}
+
+/// Whether theirs is among our colours of `fragments`, drawn with some of the habits.
+bool lies_among(const Scene& scene, const Shot& shot, const std::vector<Fragment>& fragments,
+                const TheirPixel& theirs) {
+  return std::ranges::any_of(kAllHabits, [&](Habits habits) {
+    std::vector<Vec3d> colors;
+    for (const Fragment& f : fragments) {
+      if (f.covered()) colors.push_back(drawn_with(habits, scene, shot, f));
+    }
+    return !colors.empty() && lies_among(colors, theirs);
+  });
+}
+
+bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
+                const TheirPixel& theirs) {
+  const auto* texture = std::get_if<TextureImage>(&scene.texture);
+  if (!texture) return false;
+  constexpr double kTexels = 0.01;
+  std::vector<Fragment> moved(5, fragment);
+  for (std::size_t i = 0; i < 4; ++i) {
+    moved[i].uv.u += (i % 2 ? kTexels : -kTexels) / texture->width;
+    moved[i].uv.v += (i / 2 ? kTexels : -kTexels) / texture->height;
+  }
+  return lies_among(scene, shot, moved, theirs);
+}
+
+/// The fragments seen by a 5 x 5 grid of samples around a pixel's centre, at most `edge` pixels off
+/// in x and y.
+std::vector<Fragment> moved_samples(const Reference& reference, PixelPlace place, double edge) {
+  std::vector<Fragment> samples;
+  for (int j = -2; j <= 2; ++j) {
+    for (int i = -2; i <= 2; ++i) {
+      if (i == 0 && j == 0) continue;  // the centre itself
+      samples.push_back(
+          reference.rasterizer.at(place.x + 0.5 + edge * i / 2, place.y + 0.5 + edge * j / 2));
+    }
+  }
+  return samples;
+}
+
+bool at_triangle_edge(const Fragment& here, const std::vector<Fragment>& moved) {
+  return std::ranges::any_of(moved, [&](const Fragment& f) { return f.triangle != here.triangle; });
+}
+
+/// The fragment behind the surface that the pixel's centre sees.
+Fragment behind_sample(const Reference& reference, PixelPlace place) {
+  const double depth = reference.fragments.at(place.x, place.y).depth;
+  constexpr double kSameSurface = 1e-6;  // float32 depths of two triangles that meet at an edge
+  return reference.rasterizer.at(place.x + 0.5, place.y + 0.5, depth * (1 + kSameSurface));
+}
+
+}  // namespace
+
+Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
+  const double pixel_width =
+      Projection(scene.view.camera, fragments.width, fragments.height).pixel_width();
+  Grid<char> result(fragments.width, fragments.height);
+  oneapi::tbb::parallel_for(0, fragments.height, [&](int y) {
+    for (int x = 0; x < fragments.width; ++x) {
+      result.at(x, y) =
+          fragments.at(x, y).covered() && at_silhouette(scene, fragments, pixel_width, x, y);
+    }
+  });
+  return result;
+}
+
+double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited) {
+  const auto error = [limited](double mine, double yours) {
+    return limited ? std::abs(std::clamp(mine, 0.0, 1.0) - std::clamp(yours, 0.0, 1.0))
+                   : std::abs(mine - yours);
+  };
+  return std::max({error(ours.x, theirs.r), error(ours.y, theirs.g), error(ours.z, theirs.b)});
+}
+
+Reference::Reference(const Scene& s, const Grid<Fragment>& f)
+    : scene(s),
+      fragments(f),
+      silhouettes(lumaknot::silhouettes(s, f)),
+      rasterizer(s.mesh, s.view.camera, f.width, f.height, 16) {}
+
+PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
+  const Scene& scene = reference.scene;
+  const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
+  const auto agrees_with = [&](Habits habits) {
+    return agrees(drawn_with(habits, scene, shot, fragment), theirs);
+  };
+  if (agrees_with({.gates = true})) return PixelClass::kGatedHighlight;
+  if (agrees_with({.turns = true}) || agrees_with({.turns = true, .gates = true})) {
+    return PixelClass::kTurnedNormal;
+  }
+  if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
+  if (!theirs.search) return PixelClass::kUnexplained;
+  std::vector<Fragment> moved = moved_samples(reference, theirs.place, theirs.edge);
+  const bool crosses = at_triangle_edge(fragment, moved);
+  moved.push_back(fragment);
+  if (lies_among(scene, shot, moved, theirs)) return PixelClass::kSilhouette;
+  const bool slips =
+      crosses && lies_among(scene, shot, {behind_sample(reference, theirs.place)}, theirs);
+  return slips ? PixelClass::kSlippedRay : PixelClass::kUnexplained;
+}
+
+bool explains_coverage(const Reference& reference, PixelPlace place, double edge) {
+  const Fragment& here = reference.fragments.at(place.x, place.y);
+  const std::vector<Fragment> moved = moved_samples(reference, place, edge);
+  const bool differs =
+      std::ranges::any_of(moved, [&](const Fragment& f) { return f.covered() != here.covered(); });
+  return differs || (here.covered() && at_triangle_edge(here, moved) &&
+                     !behind_sample(reference, place).covered());
+}
+
+}  // namespace lumaknot

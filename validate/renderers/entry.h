@@ -1,0 +1,36 @@
+/// The table of renderers.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "validate/renderers/adapter.h"
+#include "validate/renderers/limits.h"
+
+namespace lumaknot {
+
+/// All that is particular to a renderer.
+struct RendererEntry {
+  std::string_view name;  ///< in reports
+  std::string_view flag;  ///< of `validate --renderer`
+  /// Whether it draws when nobody asks for it. Left out are those that repeat another one's
+  /// rasteriser, or are rarely installed.
+  bool by_default = false;
+  std::unique_ptr<Renderer> (*make)(const Programs& programs);
+  std::array<const ProgramInfo*, 2> programs{};  ///< that it runs
+  Limits limits;
+};
+
+/// All of them, in order.
+std::span<const RendererEntry* const> renderer_entries();
+
+/// The entry of the renderer called `name`. Throws std::logic_error if there is none.
+const RendererEntry& renderer_entry(std::string_view name);
+
+/// The programs that renderers run, each once.
+std::vector<const ProgramInfo*> renderer_programs();
+
+}  // namespace lumaknot

@@ -1,0 +1,179 @@
+#include "validate/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <mutex>
+
+#include "exporters/image/file.h"
+#include "system/error.h"
+#include "validate/renderers/entry.h"
+
+namespace lumaknot {
+namespace {
+
+/// The stages that locate a failure's cause, then the final pictures.
+std::vector<Shot> shots_of(const ValidationJob& job) {
+  Material terms = job.finals.empty() ? job.scene.view.material : job.finals.front().material;
+  terms.normal = NormalUse::kUnit;
+  std::vector<Shot> shots{{"texture", Stage::kTexture, terms},
+                          {"diffuse", Stage::kDiffuse, terms},
+                          {"specular", Stage::kSpecular, terms}};
+  shots.insert(shots.end(), job.finals.begin(), job.finals.end());
+  return shots;
+}
+
+/// Our own side of the comparison.
+struct Ours {
+  Reference reference;
+  const std::vector<Shot>& shots;
+  const Rendering& rendering;
+
+  const Image& image(Stage stage) const {
+    const auto found = std::ranges::find(shots, stage, &Shot::stage);
+    return rendering.shots[std::size_t(found - shots.begin())].image;
+  }
+  Claims claims(const Image& final) const {
+    return measure_claims(final, image(Stage::kTexture), image(Stage::kSpecular));
+  }
+};
+
+Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limited,
+             const Limits& limits) {
+  Judged result;
+  if (drawn.status == RenderedShot::Status::kDrawn) {
+    const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
+    Image nearest;
+    if (drawn.instead) {
+      nearest = shade_all(ours.reference.scene, shot, ours.reference.fragments);
+      result.pictures.ours_instead = display_png(nearest);
+    }
+    const Image& mine = drawn.instead ? nearest : ours.rendering.shots[index].image;
+    result.comparison = compare(ours.reference, shot, mine, drawn.image, limited, limits);
+    if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
+    result.pictures.theirs = display_png(drawn.image);
+    result.pictures.difference = display_png(difference(mine, drawn.image, limited));
+    drawn.image = {};
+  }
+  result.drawn = std::move(drawn);
+  return result;
+}
+
+/// Coverage is the first rung; the others follow in the shots' order.
+std::string first_difference(const std::vector<Shot>& shots, const RendererResult& judgement) {
+  if (judgement.coverage_unexplained > 0) return "coverage";
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Judged& judged = judgement.shots[i];
+    if (judged.drawn.status == RenderedShot::Status::kDrawn && !judged.comparison.agrees()) {
+      return shots[i].name;
+    }
+  }
+  return {};
+}
+
+RendererResult judge_all(const Ours& ours, Rendering rendering) {
+  RendererResult judgement;
+  const Limits& limits = renderer_entry(rendering.renderer).limits;
+  for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
+    judgement.shots.push_back(
+        judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits));
+    const Comparison& c = judgement.shots.back().comparison;
+    judgement.coverage_differs = std::max(judgement.coverage_differs, c.coverage_differs);
+    judgement.coverage_unexplained =
+        std::max(judgement.coverage_unexplained, c.coverage_unexplained);
+  }
+  rendering.shots.clear();
+  judgement.rendering = std::move(rendering);
+  judgement.first_difference = first_difference(ours.shots, judgement);
+  return judgement;
+}
+
+Verdict verdict_of(const std::vector<RendererResult>& judgements) {
+  bool compared = false, differs = false;
+  for (const RendererResult& judgement : judgements) {
+    compared |= judgement.drew_any();
+    differs |= !judgement.first_difference.empty();
+    for (const Judged& shot : judgement.shots) {
+      differs |= shot.drawn.status == RenderedShot::Status::kFailed;
+    }
+  }
+  if (differs) return Verdict::kDiffered;
+  return compared ? Verdict::kAgreed : Verdict::kNothingToCompare;
+}
+
+/// The renderers that the job asks for.
+std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job) {
+  std::vector<std::unique_ptr<Renderer>> wanted;
+  for (const RendererEntry* entry : renderer_entries()) {
+    const bool asked = std::ranges::count(job.renderers, entry->flag) > 0;
+    if (job.renderers.empty() ? entry->by_default : asked) {
+      wanted.push_back(entry->make(job.programs));
+    }
+  }
+  return wanted;
+}
+
+Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fragment>& fragments,
+               Rendering& rendering) {
+  rendering = own_renderer(fragments)->draw(scene, shots);
+  return {Reference(scene, fragments), shots, rendering};
+}
+
+}  // namespace
+
+bool RendererResult::drew_any() const {
+  return std::ranges::any_of(
+      shots, [](const Judged& shot) { return shot.drawn.status == RenderedShot::Status::kDrawn; });
+}
+
+Scene sample_by_sample(Scene scene) {
+  ImageSpec& image = scene.view.image;
+  image = {image.width * image.samples, image.height * image.samples, 1};
+  return scene;
+}
+
+Validation validate(const ValidationJob& job,
+                    const std::function<void(const std::string&)>& on_message) {
+  const auto start = std::chrono::steady_clock::now();
+  Validation result;
+  result.shots = shots_of(job);
+  const Scene& scene = job.scene;
+  const Grid<Fragment> fragments = visible_fragments(scene);
+  if (std::ranges::none_of(fragments.pixels, &Fragment::covered)) {
+    throw Error("the camera sees nothing of the mesh; move camera.position or camera.target");
+  }
+
+  // The other programs first: they take longest, and ours finishes before they do.
+  const auto renderers = wanted_renderers(job);
+  std::promise<const Ours*> promise;
+  const std::shared_future<const Ours*> ours_drawn = promise.get_future().share();
+  std::mutex telling;
+  std::vector<std::future<RendererResult>> tasks;
+  for (const auto& renderer : renderers) {
+    tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
+      Rendering rendering = renderer->draw(scene, result.shots);
+      RendererResult judgement = judge_all(*ours_drawn.get(), std::move(rendering));
+      const std::lock_guard lock(telling);
+      if (on_message)
+        on_message(fmt::format("{}: {:.1f} s", renderer->name(), judgement.rendering.seconds));
+      return judgement;
+    }));
+  }
+
+  const Ours ours = draw_ours(scene, result.shots, fragments, result.own);
+  promise.set_value(&ours);
+  for (std::size_t i = 0; i < result.shots.size(); ++i) {
+    const bool final = result.shots[i].stage == Stage::kFinal;
+    const Image& image = result.own.shots[i].image;
+    result.own_claims.push_back(final ? ours.claims(image) : Claims{});
+    result.own_pictures.push_back(display_png(image));
+  }
+  for (auto& task : tasks) result.judgements.push_back(task.get());
+  result.verdict = verdict_of(result.judgements);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  result.seconds = elapsed.count();
+  return result;
+}
+
+}  // namespace lumaknot

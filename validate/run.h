@@ -1,0 +1,68 @@
+/// The main job: one scene drawn by every renderer, compared stage by stage.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validate/compare/claims.h"
+#include "validate/compare/images.h"
+#include "validate/renderers/adapter.h"
+
+namespace lumaknot {
+
+/// What to validate.
+struct ValidationJob {
+  Scene scene;                         ///< image.samples must be 1; see sample_by_sample()
+  std::vector<Shot> finals;            ///< the materials to draw, by name
+  std::vector<std::string> renderers;  ///< flags of renderer_entries(); empty: the default ones
+  Programs programs;
+};
+
+/// PNG files for the report, created while other renderers still draw.
+struct Pictures {
+  std::string theirs, difference;
+  std::string ours_instead;  ///< our picture of the shot drawn instead of the one requested
+};
+
+/// One renderer's picture of one shot, judged.
+struct Judged {
+  RenderedShot drawn;     ///< its image released
+  Comparison comparison;  ///< if it was drawn
+  Claims claims;          ///< of final shots that were drawn
+  Pictures pictures;      ///< if it was drawn
+};
+
+/// One renderer's part of the result. `shots` are in the order of Validation::shots.
+struct RendererResult {
+  Rendering rendering;  ///< its shots moved to `shots`
+  std::vector<Judged> shots;
+  long long coverage_differs = 0;      ///< the largest of any shot: the first rung
+  long long coverage_unexplained = 0;  ///< of those
+  std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
+
+  bool drew_any() const;
+};
+
+enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
+
+struct Validation {
+  std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
+  Rendering own;
+  std::vector<Claims> own_claims;          ///< of the final shots
+  std::vector<std::string> own_pictures;   ///< PNG files, one per shot
+  std::vector<RendererResult> judgements;  ///< one per renderer
+  double seconds = 0;                      ///< wall time of everything up to here
+  Verdict verdict = Verdict::kNothingToCompare;
+};
+
+/// `scene` with each of a pixel's samples x samples as a pixel of its own.
+Scene sample_by_sample(Scene scene);
+
+/// Draws the job's shots with every renderer at the same time and compares as they finish.
+/// `on_message` gets a line whenever a renderer is done, one at a time. Throws Interrupted, and
+/// Error if there is nothing to see.
+Validation validate(const ValidationJob& job,
+                    const std::function<void(const std::string&)>& on_message = {});
+
+}  // namespace lumaknot
