@@ -39,8 +39,10 @@ TEST_F(PaperCommand, every_claim_has_a_number_and_a_verdict) {
 
 TEST_F(PaperCommand, missing_renderers_are_reported_with_the_remedy_and_draw_nothing) {
   const ProcessResult result = lumaknot(alone());
-  EXPECT_THAT(result.log, HasSubstr("Cycles is missing: no-blender not found; install with apt-get install"));
-  EXPECT_THAT(result.log, HasSubstr("POV-Ray is missing: no-povray not found; install with apt-get install"));
+  EXPECT_THAT(result.log,
+              HasSubstr("Cycles is missing: no-blender not found; install with apt-get install"));
+  EXPECT_THAT(result.log,
+              HasSubstr("POV-Ray is missing: no-povray not found; install with apt-get install"));
   EXPECT_TRUE(fs::exists(path("out/images/front-yiq-lumaknot.png")));
   EXPECT_FALSE(fs::exists(path("out/images/front-yiq-cycles.png")));
   EXPECT_THAT(read("out/index.html"), Not(HasSubstr("front-yiq-cycles.png")));

@@ -63,8 +63,7 @@ TEST(RateReport, text_has_a_line_for_each_row_and_each_missing_renderer) {
   EXPECT_THAT(text, ::testing::ContainsRegex("lumaknot +1 +8x +500 +400 +20.0 % +250 +50.0 %"));
   EXPECT_THAT(text, ::testing::ContainsRegex("Some <GPU> +- +none +500 .* 0.25 "));
   EXPECT_THAT(text, ::testing::ContainsRegex("GeForce GTS 250 +- +8x +389 +385 +1.0 %"));
-  EXPECT_THAT(text,
-              ::testing::ContainsRegex("Embree +missing: lumaknot-embree not found; build"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("Embree +missing: lumaknot-embree not found; build"));
 }
 
 TEST(RateReport, json_holds_every_row_and_the_paper) {
