@@ -195,18 +195,18 @@ std::string chart_csv(const Chart& chart) {
 }
 
 std::string chart_text(const Chart& chart, const Metric& metric) {
-  constexpr int kName = 46;
+  constexpr int kNameWidth = 46;
   std::string text;
   for (const Space space : spaces_in(chart)) {
     for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
       text += fmt::format("{:<{}}  {:>9}  {:>8}  {}\n",
                           fmt::format("front in {}, from the {} truth",
                                       kSpaceNames[std::size_t(space)], kTruthNames[truth]),
-                          kName, metric.name, "ms", "least..most");
+                          kNameWidth, metric.name, "ms", "least..most");
       for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
         const ChartPoint& point = chart.points[i];
         const Spread time = *frame_time(chart, point);
-        text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kName - 2,
+        text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kNameWidth - 2,
                             (*point.errors[truth]).*metric.value, shown_time(time.median),
                             shown_time(time.min), shown_time(time.max));
       }

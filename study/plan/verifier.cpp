@@ -174,7 +174,7 @@ void ToleranceChecker::look_closer(Suspect& suspect, const Sample& sample) const
 
 /// Always the worst pixels first, and closer only if that decides.
 PixelErrors ToleranceChecker::examine(const Image& picture, bool all) const {
-  constexpr std::size_t kChunk = 64;
+  constexpr std::size_t kSuspects = 64;
   const Grid<float> none(picture.width, picture.height);
   PixelErrors result{{}, none, none};
   ToleranceResult& total = result.total;
@@ -183,7 +183,7 @@ PixelErrors ToleranceChecker::examine(const Image& picture, bool all) const {
   while (!far.empty()) {
     if (!all && total.failing > kFar && far.front().error <= worst) break;
     check_interrupted();
-    std::vector<Suspect> chunk = take_worst(far, kChunk);
+    std::vector<Suspect> chunk = take_worst(far, kSuspects);
     oneapi::tbb::parallel_for(std::size_t{0}, chunk.size(), [&](std::size_t k) {
       look_closer(chunk[k], sample_of(picture.pixels[chunk[k].pixel]));
     });

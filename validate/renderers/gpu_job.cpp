@@ -96,7 +96,7 @@ Json uniforms_json(const Shader& shader, const Matrix& projection) {
             {{"name", "world_inverse_transpose"}, {"values", kIdentity}},
             {{"name", "world_view_projection"}, {"values", projection}}};
   for (const ShaderParameter& p : shader.parameters) {
-    const Json values = p.is_vector ? Json(components(p.value)) : Json{p.value.x};
+    const Json values = p.is_vector ? Json(components(p.value)) : Json::array({p.value.x});
     list.push_back({{"name", p.name}, {"values", values}});
   }
   return list;

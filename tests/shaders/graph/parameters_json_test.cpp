@@ -89,7 +89,7 @@ TEST(ParametersJson, defaults_are_the_scene_s_and_lie_in_their_range) {
       const Json& p = json["parameters"][i];
       const double min = p.at("range")[0], max = p.at("range")[1];
       ASSERT_LT(min, max);
-      const Json values = p.at("type") == "vec3" ? p.at("default") : Json{p.at("default")};
+      const Json values = p.at("type") == "vec3" ? p.at("default") : Json::array({p.at("default")});
       const auto expected = components(shader.parameters[i].value);
       for (std::size_t c = 0; c < values.size(); ++c) {
         ASSERT_EQ(values[c].get<double>(), expected[c]) << p;
