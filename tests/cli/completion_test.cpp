@@ -180,23 +180,20 @@ TEST_F(Completion, bash_omits_what_a_list_already_holds) {
 }
 
 TEST_F(Completion, fish_completes_commands_flags_and_values) {
-  if (find_program("fish").empty())
-    GTEST_SKIP() << "fish not found; install with apt-get install fish";
+  ASSERT_FALSE(find_program("fish").empty()) << "install with apt-get install fish";
   expect_completes("fish", kFishDriver);
   expect_knows_every_choice("fish", kFishDriver);
 }
 
 TEST_F(Completion, zsh_completes_commands_flags_and_values_when_sourced) {
-  if (find_program("zsh").empty())
-    GTEST_SKIP() << "zsh not found; install with apt-get install zsh";
+  ASSERT_FALSE(find_program("zsh").empty()) << "install with apt-get install zsh";
   write("setup",
         "autoload -Uz compinit; compinit -u -D\nsource ./lumaknot.zsh" + std::string(kZshSetup));
   expect_completes("zsh", kZshDriver);
 }
 
 TEST_F(Completion, zsh_finds_the_script_in_fpath) {
-  if (find_program("zsh").empty())
-    GTEST_SKIP() << "zsh not found; install with apt-get install zsh";
+  ASSERT_FALSE(find_program("zsh").empty()) << "install with apt-get install zsh";
   fs::rename(path("lumaknot.zsh"), path("folder/_lumaknot"));
   write("setup", "fpath=($PWD/folder $fpath); autoload -Uz compinit; compinit -u -D" +
                      std::string(kZshSetup));
