@@ -138,9 +138,12 @@ std::vector<std::string> model_names() {
   return names;
 }
 
-std::vector<std::string> renderer_flags() {
+/// Of all renderers, or only of those that draw by default.
+std::vector<std::string> renderer_flags(bool only_default) {
   std::vector<std::string> flags;
-  for (const RendererEntry* entry : renderer_entries()) flags.emplace_back(entry->flag);
+  for (const RendererEntry* entry : renderer_entries()) {
+    if (entry->by_default || !only_default) flags.emplace_back(entry->flag);
+  }
   return flags;
 }
 
@@ -160,8 +163,8 @@ std::vector<Argument> validate_arguments(ValidateFlags& flags) {
       {.names = "--renderer,--against",
        .target = &flags.renderers,
        .meaning = "renderers to compare",
-       .default_text = "cycles,povray,eevee,gl,vulkan",
-       .choices = renderer_flags(),
+       .default_text = fmt::format("{}", fmt::join(renderer_flags(true), ",")),
+       .choices = renderer_flags(false),
        .list = true},
       {.names = "--time-limit",
        .target = &flags.time_limit,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "exporters/image/file.h"
 #include "system/process.h"
@@ -38,6 +39,15 @@ Validation validate_with(const std::string& povray, std::vector<std::string> ren
   job.programs.paths[kPovrayProgram.flag] = povray;
   job.programs.time_limit = std::chrono::duration<double>(limit);
   return validate(job);
+}
+
+TEST(RendererEntries, make_the_renderers_of_their_names) {
+  std::set<std::string_view> flags;
+  for (const RendererEntry* entry : renderer_entries()) {
+    EXPECT_EQ(entry->make({})->name(), entry->name) << "limits are found by this name";
+    EXPECT_FALSE(entry->limits.reason.empty()) << entry->name;
+    EXPECT_TRUE(flags.insert(entry->flag).second) << entry->flag;
+  }
 }
 
 TEST(Validate, without_any_renderer_there_is_nothing_to_compare) {
