@@ -112,9 +112,7 @@ Spine::Spine(const Curve& curve)
   speed_start_ = speed_(curve_.meridian);
   slowness_start_ = slowness_(curve_.meridian);
   length_ = arc_length(2 * kPi);
-  const double turn = min_twist(2 * kPi);
-  holonomy_ = std::remainder(turn, 2 * kPi);
-  revolutions_ = int(std::lround((turn - holonomy_) / (2 * kPi)));
+  holonomy_ = std::remainder(min_twist(2 * kPi), 2 * kPi);
 }
 
 double Spine::integral_of(const PeriodicIntegral& integral, double start, double t) const {

@@ -69,9 +69,6 @@ class Spine {
   /// frame() at the rings of `arc_lengths`, the result of arc_lengths().
   std::vector<Frame> frames(std::span<const double> arc_lengths) const;
 
-  /// The turns of the closed frame relative to the torus' normal in one loop: a whole number.
-  int revolutions() const { return revolutions_; }
-
  private:
   std::vector<double> at_rings(const PeriodicIntegral& integral, int n) const;
   double integral_of(const PeriodicIntegral& integral, double start, double t) const;
@@ -83,7 +80,6 @@ class Spine {
   PeriodicIntegral speed_, slowness_;
   double speed_start_ = 0, slowness_start_ = 0;  // the integrals up to the meridian's phase
   double length_ = 0, holonomy_ = 0;
-  int revolutions_ = 0;
 };
 
 }  // namespace lumaknot
