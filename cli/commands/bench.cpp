@@ -34,7 +34,7 @@ BenchReport frame_rates(const Scene& scene, const BenchFlags& flags) {
 }
 
 BenchReport scaling(const Scene& scene, const MeshSpec& mesh, const BenchFlags& flags) {
-  const GrowthOptions options{.threads = flags.options.threads, .seconds = flags.options.seconds};
+  const ScalingOptions options{.threads = flags.options.threads, .seconds = flags.options.seconds};
   const std::vector<Scaling> all =
       measure_scaling(scene, mesh, options, progress_bar(flags.out, "bench"));
   return {scaling_text(all), scaling_json(all), scaling_svg(all)};

@@ -22,7 +22,7 @@ struct Work {
   int samples = 1;
 };
 
-Spread time_frames(const Work& work, const GrowthOptions& options) {
+Spread time_frames(const Work& work, const ScalingOptions& options) {
   using Clock = std::chrono::steady_clock;
   FastOptions fast;
   fast.samples = work.samples;
@@ -85,13 +85,13 @@ std::vector<Work> growing_samples(const Scene& scene) {
 }  // namespace
 
 double slope_of(const Scaling& scaling, std::size_t i) {
-  const GrowthStep &from = scaling.steps[i - 1], &to = scaling.steps[i];
+  const ScalingStep &from = scaling.steps[i - 1], &to = scaling.steps[i];
   return std::log(to.milliseconds.median / from.milliseconds.median) /
          std::log(to.work / from.work);
 }
 
 std::vector<Scaling> measure_scaling(const Scene& scene, const MeshSpec& mesh,
-                                     const GrowthOptions& options, const Progress& progress) {
+                                     const ScalingOptions& options, const Progress& progress) {
   using Make = std::function<std::vector<Work>()>;
   std::vector<std::pair<std::string, Make>> kinds;
   if (const auto* knot = std::get_if<KnotSpec>(&mesh)) {

@@ -10,13 +10,13 @@
 
 namespace lumaknot {
 
-struct GrowthOptions {
+struct ScalingOptions {
   int threads = 0;       ///< 0: one per core
   double seconds = 0.3;  ///< of drawing, per step
 };
 
 /// One amount of work.
-struct GrowthStep {
+struct ScalingStep {
   std::string name;     ///< "61440 triangles"
   double work = 0;      ///< triangles, pixels, or samples per pixel
   Spread milliseconds;  ///< of a frame
@@ -25,7 +25,7 @@ struct GrowthStep {
 /// A frame with more and more of one thing, all else as in the scene.
 struct Scaling {
   std::string name;  ///< "triangles"
-  std::vector<GrowthStep> steps;
+  std::vector<ScalingStep> steps;
 };
 
 /// The slope of step i > 0 in a double logarithmic chart: 1 is linear, lower is better.
@@ -35,7 +35,7 @@ double slope_of(const Scaling& scaling, std::size_t i);
 /// grid, the grid itself, and ten and a hundred times as many. Pixels grow from a sixteenth to 64
 /// times.
 std::vector<Scaling> measure_scaling(const Scene& scene, const MeshSpec& mesh,
-                                     const GrowthOptions& options, const Progress& progress);
+                                     const ScalingOptions& options, const Progress& progress);
 
 /// Tables for a terminal.
 std::string scaling_text(const std::vector<Scaling>& all);

@@ -22,7 +22,7 @@ constexpr double kAxesLeft = 60, kAxesRight = 710, kAxesTop = 50, kAxesBottom = 
 constexpr std::array<const char*, 3> kColors{"#d97b29", "#3f7f93", "#7a5195"};
 
 /// The chart's decades, across and upwards.
-struct GrowthAxes {
+struct ScalingAxes {
   double decades_x = 1, decades_y = 1;
 
   double x(double ratio) const {
@@ -39,8 +39,8 @@ double time_ratio(const Scaling& g, std::size_t i) {
   return g.steps[i].milliseconds.median / g.steps[0].milliseconds.median;
 }
 
-GrowthAxes axes_of(const std::vector<Scaling>& all) {
-  GrowthAxes axes;
+ScalingAxes axes_of(const std::vector<Scaling>& all) {
+  ScalingAxes axes;
   for (const Scaling& g : all) {
     for (std::size_t i = 0; i < g.steps.size(); ++i) {
       axes.decades_x = std::max(axes.decades_x, std::ceil(std::log10(work_ratio(g, i))));
@@ -70,7 +70,7 @@ mustache::data label_data(double x, double y, const char* anchor, double decade)
   return label;
 }
 
-void add_grid(mustache::data& chart, const GrowthAxes& axes) {
+void add_grid(mustache::data& chart, const ScalingAxes& axes) {
   mustache::data lines = mustache::data::type::list, labels = mustache::data::type::list;
   for (double decade = 0; decade <= axes.decades_x; ++decade) {
     const double x = axes.x(std::pow(10, decade));
@@ -86,7 +86,7 @@ void add_grid(mustache::data& chart, const GrowthAxes& axes) {
   chart.set("labels", labels);
 }
 
-mustache::data scaling_data(const Scaling& g, const GrowthAxes& axes, std::size_t index) {
+mustache::data scaling_data(const Scaling& g, const ScalingAxes& axes, std::size_t index) {
   mustache::data data, dots = mustache::data::type::list;
   std::string points;
   for (std::size_t i = 0; i < g.steps.size(); ++i) {
@@ -114,7 +114,7 @@ std::string scaling_text(const std::vector<Scaling>& all) {
   for (const Scaling& scaling : all) {
     text += fmt::format("{:<24}  {:>10}  {:>6}\n", scaling.name, "ms", "slope");
     for (std::size_t i = 0; i < scaling.steps.size(); ++i) {
-      const GrowthStep& step = scaling.steps[i];
+      const ScalingStep& step = scaling.steps[i];
       text += fmt::format("{:<24}  {:>10.2f}  {:>6}\n", step.name, step.milliseconds.median,
                           i > 0 ? fmt::format("{:.2f}", slope_of(scaling, i)) : "");
     }
@@ -126,7 +126,7 @@ std::string scaling_json(const std::vector<Scaling>& all) {
   Json json;
   for (const Scaling& scaling : all) {
     for (std::size_t i = 0; i < scaling.steps.size(); ++i) {
-      const GrowthStep& step = scaling.steps[i];
+      const ScalingStep& step = scaling.steps[i];
       const Spread& ms = step.milliseconds;
       Json entry{{"name", step.name},
                  {"work", step.work},
@@ -139,11 +139,11 @@ std::string scaling_json(const std::vector<Scaling>& all) {
 }
 
 std::string scaling_svg(const std::vector<Scaling>& all) {
-  const GrowthAxes axes = axes_of(all);
-  mustache::data chart, growths = mustache::data::type::list;
+  const ScalingAxes axes = axes_of(all);
+  mustache::data chart, scalings = mustache::data::type::list;
   add_grid(chart, axes);
-  for (std::size_t i = 0; i < all.size(); ++i) growths.push_back(scaling_data(all[i], axes, i));
-  chart.set("growths", growths);
+  for (std::size_t i = 0; i < all.size(); ++i) scalings.push_back(scaling_data(all[i], axes, i));
+  chart.set("growths", scalings);
   const double end = std::pow(10, std::min(axes.decades_x, axes.decades_y));
   chart.set("linear", fmt::format("{},{} {},{}", number(axes.x(1)), number(axes.y(1)),
                                   number(axes.x(end)), number(axes.y(end))));
