@@ -26,7 +26,7 @@ class Bench : public Program {
 
 TEST_F(Bench, prints_a_row_per_number_of_samples_and_the_paper_s_rows) {
   const ProcessResult result = lumaknot(quick({"--samples", "1,4"}));
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, ContainsRegex("64 x 48 +thr +AA +classical"));
   EXPECT_THAT(result.log, ContainsRegex("lumaknot +1 +none"));
   EXPECT_THAT(result.log, ContainsRegex("lumaknot +1 +4x"));
@@ -36,7 +36,7 @@ TEST_F(Bench, prints_a_row_per_number_of_samples_and_the_paper_s_rows) {
 TEST_F(Bench, writes_the_table_and_its_picture) {
   const ProcessResult result =
       lumaknot(quick({"--samples", "1", "--quiet", "-o", "table.json", "--picture", "bench.svg"}));
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_EQ(result.log, "");
   const auto table = nlohmann::json::parse(read("table.json"));
   EXPECT_EQ(table["rows"].size(), 1u);
@@ -47,7 +47,7 @@ TEST_F(Bench, writes_the_table_and_its_picture) {
 TEST_F(Bench, the_scene_may_follow_the_samples) {
   const ProcessResult result = lumaknot({"bench", "--alone", "--rounds", "1", "--seconds", "0",
                                          "--threads", "1", "--samples", "1", "small.json"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("64 x 48"));
 }
 

@@ -41,7 +41,7 @@ class ChartCommand : public Program {
 
 TEST_F(ChartCommand, writes_every_form_of_the_chart_and_reports_the_front) {
   const ProcessResult result = lumaknot(quick());
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("front in yiq, from the area truth"));
   EXPECT_THAT(written(), IsSupersetOf({"chart.csv", "chart.html", "chart.json", "chart.png",
                                        "chart.svg", "truth-yiq-area.exr", "truth-yiq-point.exr"}));
@@ -66,7 +66,7 @@ TEST_F(ChartCommand, resumes_where_it_was_interrupted) {
   half["points"][1]["rounds"]["ratios"] = nlohmann::json::array();
   half["points"][1]["rounds"]["milliseconds"] = nlohmann::json::array();
   write("out/chart.json", half.dump());
-  EXPECT_EQ(lumaknot(quick()).exit_code, 0);
+  EXPECT_THAT(lumaknot(quick()), ExitsWith(0));
   EXPECT_EQ(chart()["points"][0]["errors"]["area"]["rmse"], 0.125);
   EXPECT_GT(chart()["points"][1]["errors"]["area"]["rmse"], 0);
   EXPECT_EQ(chart()["complete"], true);
@@ -84,7 +84,7 @@ TEST_F(ChartCommand, ctrl_c_keeps_what_was_measured_and_reports_how_to_resume) {
   }
   process.signal(SIGINT);
   const ProcessResult result = process.wait(std::chrono::seconds(30));
-  EXPECT_EQ(result.exit_code, 130) << result.log;
+  EXPECT_THAT(result, ExitsWith(130));
   EXPECT_THAT(result.log,
               ContainsRegex("interrupted; ([0-9]+) of [0-9]+ points and [0-9]+ of 1000 "
                             "rounds are measured and kept in out; the same command goes "
@@ -106,7 +106,7 @@ TEST_F(ChartCommand, a_mesh_file_is_its_own_truth_and_reported) {
   lumaknot({"mesh", "--segments", "24", "--sides", "6", "-o", "knot.obj"});
   write("small.json", R"({"mesh": {"file": "knot.obj"}, "image": {"width": 24, "height": 20}})");
   const ProcessResult result = lumaknot(quick());
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("a mesh file has no exact surface"));
 }
 
@@ -130,7 +130,7 @@ TEST_F(ChartCommand, a_scene_that_covers_no_pixel_does_not_touch_an_existing_cha
   const std::string chart = read("out/chart.json");
   write("small.json", R"({"camera": {"position": [0, -3, 0], "target": [0, -9, 0]},
                           "image": {"width": 24, "height": 20}})");
-  EXPECT_EQ(lumaknot(quick()).exit_code, 2);
+  EXPECT_THAT(lumaknot(quick()), ExitsWith(2));
   EXPECT_THAT(written(), UnorderedElementsAreArray(before));
   EXPECT_EQ(read("out/chart.json"), chart);
 }

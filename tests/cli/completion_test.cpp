@@ -72,7 +72,7 @@ class Completion : public Program {
     fs::create_directory(path("folder"));
     for (const std::string shell : {"bash", "zsh", "fish"}) {
       const ProcessResult result = lumaknot({"completion", shell});
-      EXPECT_EQ(result.exit_code, 0);
+      EXPECT_THAT(result, ExitsWith(0));
       write("lumaknot." + shell, result.log);
     }
   }

@@ -73,7 +73,7 @@ TEST_F(Help, every_file_of_a_command_is_in_the_table) {
 TEST_F(Help, of_every_command_lists_its_flags_and_has_examples) {
   for (const Subcommand& command : commands_) {
     const ProcessResult result = lumaknot({std::string(command.name), "--help"});
-    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result, ExitsWith(0));
     EXPECT_THAT(result.log,
                 AllOf(StartsWith(std::string(command.about)), HasSubstr("\nExamples:\n"),
                       HasSubstr("lumaknot " + std::string(command.name))));
@@ -159,8 +159,8 @@ TEST_F(Help, an_unknown_flag_of_any_command_is_refused_in_one_line) {
 }
 
 TEST_F(Help, every_command_has_a_reproducible_manual_page) {
-  ASSERT_EQ(lumaknot({"man", "-o", "one"}).exit_code, 0);
-  ASSERT_EQ(lumaknot({"man", "-o", "two"}).exit_code, 0);
+  ASSERT_THAT(lumaknot({"man", "-o", "one"}), ExitsWith(0));
+  ASSERT_THAT(lumaknot({"man", "-o", "two"}), ExitsWith(0));
   std::vector<std::string> expected{"lumaknot.1"}, pages;
   for (const Subcommand& command : commands_) {
     if (command.group == Group::kHidden) continue;
@@ -181,11 +181,11 @@ TEST_F(Help, every_command_has_a_reproducible_manual_page) {
 TEST_F(Help, man_finds_no_fault_with_the_pages) {
   const fs::path man = find_program("man");
   ASSERT_FALSE(man.empty()) << "install with apt-get install man-db";
-  ASSERT_EQ(lumaknot({"man", "-o", "pages"}).exit_code, 0);
+  ASSERT_THAT(lumaknot({"man", "-o", "pages"}), ExitsWith(0));
   for (const auto& entry : fs::directory_iterator(path("pages"))) {
     const ProcessResult result = run_here({man.string(), "--warnings", "-l", entry.path().string()},
                                           {"MANWIDTH=80", "MANPAGER=cat"});
-    EXPECT_EQ(result.exit_code, 0) << result.log;
+    EXPECT_THAT(result, ExitsWith(0));
     EXPECT_THAT(result.log, AllOf(HasSubstr("SYNOPSIS"), HasSubstr("EXAMPLES"),
                                   ::testing::Not(HasSubstr("warning"))));
   }

@@ -12,7 +12,7 @@ TEST_F(Program, a_link_has_as_many_components_as_the_greatest_common_divisor) {
   const ProcessResult result =
       lumaknot({"mesh", "--p", "4", "--q", "6", "--segments", "60", "--sides", "6", "--tube", "0.1",
                 "-o", "link.obj", "--measure", "--json"});
-  ASSERT_EQ(result.exit_code, 0) << result.log;
+  ASSERT_THAT(result, ExitsWith(0));
   const Json json = Json::parse(result.log);
   EXPECT_EQ(json["components"], 2);
   EXPECT_EQ(json["genus"], Json::parse("[1, 1]"));
@@ -23,7 +23,7 @@ TEST_F(Program, a_link_has_as_many_components_as_the_greatest_common_divisor) {
 
 TEST_F(Program, measure_needs_no_output_and_prints_a_table) {
   const ProcessResult result = lumaknot({"mesh", "--segments", "60", "--sides", "6", "--measure"});
-  ASSERT_EQ(result.exit_code, 0) << result.log;
+  ASSERT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("Euler characteristic  0"));
   EXPECT_THAT(result.log, HasSubstr("largest tube"));
   EXPECT_THAT(result.log, HasSubstr("ring tilt"));
@@ -34,7 +34,7 @@ TEST_F(Program, max_error_is_met_and_nearly_reached) {
   for (const double e : {1e-2, 1e-3}) {
     const ProcessResult result =
         lumaknot({"mesh", "--max-error", std::to_string(e), "--measure", "--json"});
-    ASSERT_EQ(result.exit_code, 0) << result.log;
+    ASSERT_THAT(result, ExitsWith(0));
     const double measured = Json::parse(result.log)["error_measured"]["chord"];
     EXPECT_LE(measured, e);
     EXPECT_GE(measured, 0.7 * e);
@@ -45,7 +45,7 @@ TEST_F(Program, a_tube_that_passes_through_itself_causes_a_warning) {
   const std::vector<std::string> mesh{"mesh",    "--tube", "0.45", "--segments", "60",
                                       "--sides", "6",      "-o",   "knot.ply"};
   const ProcessResult result = lumaknot(mesh);
-  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("lumaknot: warning: --tube 0.45 passes through itself"));
   EXPECT_EQ(files(), std::vector<std::string>{"knot.ply"});
   std::vector<std::string> strict = mesh;
@@ -57,12 +57,12 @@ TEST_F(Program, a_tube_that_passes_through_itself_causes_a_warning) {
 TEST_F(Program, every_format_is_written_and_read_as_a_scene_s_mesh) {
   for (const std::string name : {"knot.obj", "knot.ply", "knot.stl", "knot.off", "knot.om",
                                  "knot.glb", "knot.gltf", "knot.inc"}) {
-    ASSERT_EQ(lumaknot({"mesh", "--segments", "90", "--sides", "8", "-o", name}).exit_code, 0);
+    ASSERT_THAT(lumaknot({"mesh", "--segments", "90", "--sides", "8", "-o", name}), ExitsWith(0));
     write("scene.json", R"({"mesh": {"file": ")" + name +
                             R"("}, "texture": {"color": [1, 0.5, 0]},
                                "image": {"width": 60, "height": 60}})");
     const ProcessResult result = lumaknot({"render", "scene.json", "-o", "knot.png"});
-    EXPECT_EQ(result.exit_code, 0) << name << ": " << result.log;
+    EXPECT_THAT(result, ExitsWith(0)) << name;
   }
 }
 

@@ -25,7 +25,7 @@ class PaperCommand : public Program {
 
 TEST_F(PaperCommand, every_claim_has_a_number_and_a_verdict) {
   const ProcessResult result = lumaknot(alone());
-  ASSERT_EQ(result.exit_code, 0) << result.log;
+  ASSERT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("see out/index.html"));
   const nlohmann::json all = claims()["claims"];
   EXPECT_GT(all.size(), 40u);
@@ -64,7 +64,7 @@ TEST_F(PaperCommand, ctrl_c_reports_that_pictures_without_a_renderer_are_drawn_a
   }
   process.signal(SIGINT);
   const ProcessResult result = process.wait(std::chrono::seconds(60));
-  EXPECT_EQ(result.exit_code, 130) << result.log;
+  EXPECT_THAT(result, ExitsWith(130));
   EXPECT_THAT(result.log, HasSubstr("interrupted; nothing is kept, the same command starts over"));
   EXPECT_FALSE(fs::exists(path("out/index.html")));
 }

@@ -40,7 +40,7 @@ class PlanCommand : public Program {
 
 TEST_F(PlanCommand, writes_the_smaller_scene_its_certificate_and_the_page) {
   const ProcessResult result = lumaknot(quick());
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("met: "));
   EXPECT_THAT(result.log, HasSubstr("draw it: lumaknot render out/scene.json --fast"));
   EXPECT_THAT(written(), IsSupersetOf({"scene.json", "certificate.json", "index.html"}));
@@ -56,7 +56,7 @@ TEST_F(PlanCommand, writes_a_scene_that_the_reported_command_draws) {
   EXPECT_FALSE(words.empty());
   for (const auto& word : words) arguments.push_back(word);
   const ProcessResult result = lumaknot(arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_GT(fs::file_size(path("planned.exr")), 500u);
 }
 
@@ -68,7 +68,7 @@ TEST_F(PlanCommand, copies_the_texture) {
         R"({"texture": {"file": "wall.png"}, "image": {"width": 32, "height": 24}})");
   const ProcessResult result =
       lumaknot({"plan", "below/scene.json", "--tolerance", "0.2", "--rounds", "1", "-o", "out"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_EQ(read("out/texture.png"), read("below/wall.png"));
   EXPECT_EQ(nlohmann::json::parse(read("out/scene.json"))["texture"]["file"], "texture.png");
 }
@@ -92,7 +92,7 @@ TEST_F(PlanCommand, never_overwrites_its_own_scene_and_texture) {
 
 TEST_F(PlanCommand, may_run_again_in_its_own_folder) {
   lumaknot(quick());
-  EXPECT_EQ(lumaknot(quick()).exit_code, 0);
+  EXPECT_THAT(lumaknot(quick()), ExitsWith(0));
   expect_refused({"plan", "out/scene.json", "-o", "out"}, "would overwrite the scene");
 }
 
@@ -103,7 +103,7 @@ TEST_F(PlanCommand, prints_only_json_on_request) {
 
 TEST_F(PlanCommand, reports_why_a_tolerance_cannot_be_met) {
   const ProcessResult result = lumaknot(quick({"--shift", "0"}));
-  EXPECT_EQ(result.exit_code, 1) << result.log;
+  EXPECT_THAT(result, ExitsWith(1));
   EXPECT_THAT(result.log, HasSubstr("can't be met: "));
   EXPECT_THAT(result.log, HasSubstr("allow a --shift"));
   EXPECT_FALSE(certificate()["blame"].empty());
@@ -129,7 +129,7 @@ TEST_F(PlanCommand, ctrl_c_keeps_what_was_measured_and_the_same_command_resumes)
   }
   process.signal(SIGINT);
   const ProcessResult result = process.wait(std::chrono::seconds(30));
-  EXPECT_EQ(result.exit_code, 130) << result.log;
+  EXPECT_THAT(result, ExitsWith(130));
   EXPECT_THAT(result.log,
               HasSubstr("choices are measured and kept in out; the same command resumes"));
   const auto kept = nlohmann::json::parse(read("out/measured.json"))["judgements"];
@@ -149,7 +149,7 @@ TEST_F(PlanCommand, ctrl_c_before_anything_is_measured_is_reported_and_keeps_no_
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   process.signal(SIGINT);
   const ProcessResult result = process.wait(std::chrono::seconds(30));
-  EXPECT_EQ(result.exit_code, 130) << result.log;
+  EXPECT_THAT(result, ExitsWith(130));
   EXPECT_THAT(result.log, HasSubstr("interrupted; nothing is kept yet"));
   EXPECT_FALSE(fs::exists(path("out")));
 }

@@ -9,6 +9,7 @@
 
 #include "system/atomic_file.h"
 #include "system/process.h"
+#include "tests/system/exits_with.h"
 
 namespace lumaknot {
 
@@ -37,7 +38,7 @@ class Program : public ::testing::Test {
   /// Expects exit code 2 and a single line that contains `part`.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
     const ProcessResult result = lumaknot(arguments);
-    EXPECT_EQ(result.exit_code, 2) << result.log;
+    EXPECT_THAT(result, ExitsWith(2));
     EXPECT_THAT(result.log,
                 ::testing::AllOf(::testing::StartsWith("lumaknot: "), ::testing::HasSubstr(part)));
     EXPECT_EQ(std::ranges::count(result.log, '\n'), 1) << result.log;

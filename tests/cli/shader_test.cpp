@@ -19,7 +19,7 @@ using ShaderCommand = Program;
 
 TEST_F(ShaderCommand, writes_both_stages_and_the_parameters) {
   const ProcessResult result = lumaknot({"shader", "yiq-phong", "--lang", "glsl-330", "-o", "out"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_TRUE(fs::exists(path("out/yiq-phong.vert")));
   EXPECT_THAT(read("out/yiq-phong.frag"), HasSubstr("#version 330 core"));
   const auto json = nlohmann::json::parse(read("out/parameters.json"));
@@ -31,7 +31,7 @@ TEST_F(ShaderCommand, writes_both_stages_and_the_parameters) {
 }
 
 TEST_F(ShaderCommand, writes_each_of_several_languages_to_its_own_folder) {
-  EXPECT_EQ(lumaknot({"shader", "yiq-phong", "-o", "out"}).exit_code, 0);
+  EXPECT_THAT(lumaknot({"shader", "yiq-phong", "-o", "out"}), ExitsWith(0));
   for (const Language language : languages()) {
     EXPECT_TRUE(fs::exists(path("out") / backend_of(language).name / "parameters.json"))
         << backend_of(language).name;
@@ -42,7 +42,7 @@ TEST_F(ShaderCommand, writes_each_of_several_languages_to_its_own_folder) {
 TEST_F(ShaderCommand, emits_only_what_a_scene_needs) {
   write("plain.json", R"({"texture": {"color": [0.2, 0.4, 0.6]},
                           "material": {"space": "yiq", "specular": 0}})");
-  EXPECT_EQ(lumaknot({"shader", "--scene", "plain.json", "--lang", "glsl-330"}).exit_code, 0);
+  EXPECT_THAT(lumaknot({"shader", "--scene", "plain.json", "--lang", "glsl-330"}), ExitsWith(0));
   const std::string text = read("plain.frag");
   for (const char* absent :
        {"texture(", "sampler2D", "specular", "shininess", "reflection", "for ("}) {
@@ -51,7 +51,8 @@ TEST_F(ShaderCommand, emits_only_what_a_scene_needs) {
 }
 
 TEST_F(ShaderCommand, keeps_every_number_on_request) {
-  EXPECT_EQ(lumaknot({"shader", "rgb-phong", "--lang", "hlsl", "--all-parameters"}).exit_code, 0);
+  EXPECT_THAT(lumaknot({"shader", "rgb-phong", "--lang", "hlsl", "--all-parameters"}),
+              ExitsWith(0));
   const std::string text = read("rgb-phong.hlsl");
   for (const char* name : {"light_color", "light_quadratic", "emissive", "diffuse"}) {
     EXPECT_THAT(text, HasSubstr(name));
@@ -80,7 +81,7 @@ TEST_F(ShaderCommand, reports_the_missing_feature_and_the_nearest_alternative) {
 
 TEST_F(ShaderCommand, skips_and_reports_languages_of_all_that_cannot_express_the_shader) {
   const ProcessResult result = lumaknot({"shader", "yiq-phong", "--rate", "vertex", "-o", "out"});
-  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("osl has no vertex stage"));
   EXPECT_FALSE(fs::exists(path("out/osl")));
   EXPECT_TRUE(fs::exists(path("out/fx")));
@@ -88,7 +89,7 @@ TEST_F(ShaderCommand, skips_and_reports_languages_of_all_that_cannot_express_the
 
 TEST_F(ShaderCommand, emits_the_same_bytes_twice) {
   for (const char* folder : {"one", "two"}) {
-    EXPECT_EQ(lumaknot({"shader", "atd95-cook-torrance", "-o", folder}).exit_code, 0);
+    EXPECT_THAT(lumaknot({"shader", "atd95-cook-torrance", "-o", folder}), ExitsWith(0));
   }
   for (const auto& entry : fs::recursive_directory_iterator(path("one"))) {
     if (!entry.is_regular_file()) continue;

@@ -14,14 +14,14 @@ class Stability : public Program {};
 
 TEST_F(Stability, lists_its_regions) {
   const ProcessResult result = lumaknot({"stability", "--list"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, HasSubstr("frenet-inflection"));
   EXPECT_GE(std::ranges::count(result.log, '\n'), 25);
 }
 
 TEST_F(Stability, reports_the_boundary_of_a_single_region) {
   const ProcessResult result = lumaknot({"stability", "power-zero-zero"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log, ContainsRegex("power-zero-zero +7.*e-46 -> 7.*e-46 +shininess k"));
   EXPECT_THAT(result.log, Not(HasSubstr("phong-cutoff")));
   EXPECT_EQ(files(), std::vector<std::string>{});
@@ -30,13 +30,13 @@ TEST_F(Stability, reports_the_boundary_of_a_single_region) {
 TEST_F(Stability, writes_page_json_and_pictures_and_resumes) {
   const ProcessResult first =
       lumaknot({"stability", "difference-step-long", "-o", "atlas", "--quiet"});
-  EXPECT_EQ(first.exit_code, 0) << first.log;
+  EXPECT_THAT(first, ExitsWith(0));
   EXPECT_EQ(first.log, "");
   EXPECT_THAT(read("atlas/difference-step-long/chart.svg"), HasSubstr("</svg>"));
   EXPECT_EQ(read("atlas/difference-step-long/fails.png").substr(1, 3), "PNG");
   const ProcessResult second = lumaknot({"stability", "difference-step-long", "half-way-opposite",
                                          "-o", "atlas", "--resume", "--quiet"});
-  EXPECT_EQ(second.exit_code, 0) << second.log;
+  EXPECT_THAT(second, ExitsWith(0));
   const auto json = nlohmann::json::parse(read("atlas/atlas.json"));
   EXPECT_EQ(json["regions"].size(), 2u);
   EXPECT_LT(json["regions"][0]["holds"][0], json["regions"][0]["fails"][0]);
@@ -46,7 +46,7 @@ TEST_F(Stability, writes_page_json_and_pictures_and_resumes) {
 TEST_F(Stability, keeps_the_other_regions_of_the_folder) {
   const auto examined = [&](const std::string& region) {
     const ProcessResult result = lumaknot({"stability", region, "-o", "atlas"});
-    EXPECT_EQ(result.exit_code, 0) << result.log;
+    EXPECT_THAT(result, ExitsWith(0));
     return result.log;
   };
   EXPECT_THAT(examined("half-way-opposite"), HasSubstr("\n1 region; see"));

@@ -126,7 +126,7 @@ TEST_F(Startup, a_moved_program_finds_its_module_through_a_link_and_the_path) {
 
 TEST_F(Startup, a_missing_module_is_refused_with_the_remedy) {
   const ProcessResult result = run_with_texture({moved_program(false).string()});
-  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result, ExitsWith(2));
   EXPECT_THAT(result.log, HasSubstr(std::string("lumaknot: ") + kModule + " is needed"));
   EXPECT_THAT(result.log, HasSubstr("keep that file next to the program"));
   EXPECT_EQ(std::ranges::count(result.log, '\n'), 1) << result.log;
@@ -138,7 +138,7 @@ TEST_F(Startup, a_broken_module_is_refused_with_the_remedy) {
   const fs::path program = moved_program(false);
   fs::copy_file(path("broken"), program.parent_path() / kModule);
   const ProcessResult result = run_with_texture({program.string()});
-  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result, ExitsWith(2));
   EXPECT_THAT(result.log, HasSubstr("keep that file next to the program"));
   EXPECT_EQ(std::ranges::count(result.log, '\n'), 1) << result.log;
 }

@@ -48,7 +48,7 @@ TEST_F(Program, bad_scenes_are_refused_with_path_value_and_remedy) {
   refused("{", "scene.json is not JSON");
   write("none.png", "not an image");
   refused(R"({"texture": {"file": "none.png"}})", "none.png");
-  ASSERT_EQ(lumaknot({"render", "figure2", "-o", "cut.png"}).exit_code, 0);
+  ASSERT_THAT(lumaknot({"render", "figure2", "-o", "cut.png"}), ExitsWith(0));
   fs::resize_file(path("cut.png"), fs::file_size(path("cut.png")) / 2);
   refused(R"({"texture": {"file": "cut.png"}})", "cut.png");
   write("none.obj", "not a mesh");
@@ -126,7 +126,7 @@ TEST_F(Program, the_same_input_gives_the_same_bytes) {
   for (const std::string name :
        {"knot.exr", "knot.png", "knot.pov", "knot.py", "knot.glb", "knot.obj"}) {
     const std::string command = name.ends_with("r") || name.ends_with("g") ? "render" : "export";
-    ASSERT_EQ(lumaknot({command, "figure1-back", "-o", name}).exit_code, 0);
+    ASSERT_THAT(lumaknot({command, "figure1-back", "-o", name}), ExitsWith(0));
     const std::string first = read(name);
     std::this_thread::sleep_for(
         std::chrono::milliseconds(1100));  // so that a time stamp would differ
@@ -150,7 +150,7 @@ TEST_F(Program, fast_frames_take_multisample_instead_of_the_scene_s_samples) {
   for (const std::string samples : {"4", "1"}) {
     const ProcessResult result = lumaknot(
         {"render", "scene.json", "--fast", "--multisample", samples, "-o", samples + ".png"});
-    EXPECT_EQ(result.exit_code, 0) << result.log;
+    EXPECT_THAT(result, ExitsWith(0));
   }
   write("scene.json", R"({"image": {"width": 32, "height": 24}})");
   lumaknot({"render", "scene.json", "--fast", "--multisample", "4", "-o", "plain.png"});
@@ -160,10 +160,11 @@ TEST_F(Program, fast_frames_take_multisample_instead_of_the_scene_s_samples) {
 
 TEST_F(Program, files_of_a_scene_are_relative_to_it) {
   fs::create_directory(path("sub"));
-  ASSERT_EQ(lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", "sub/k.obj"}).exit_code, 0);
+  ASSERT_THAT(lumaknot({"mesh", "--segments", "30", "--sides", "8", "-o", "sub/k.obj"}),
+              ExitsWith(0));
   write("sub/scene.json", R"({"mesh": {"file": "k.obj"}, "texture": {"color": [0.5, 0.5, 0.9]}})");
   const ProcessResult result = lumaknot({"render", "sub/scene.json", "-o", "out.png"});
-  EXPECT_EQ(result.exit_code, 0) << result.log;
+  EXPECT_THAT(result, ExitsWith(0));
 }
 
 TEST_F(Program, truth_and_budget_need_a_knot_with_an_exact_surface) {
@@ -180,7 +181,7 @@ TEST_F(Program, validate_without_renderers_reports_nothing_to_compare) {
   const std::string none = "/nonexistent/program";
   const ProcessResult result = lumaknot(
       {"validate", "figure2", "--povray", none, "--blender", none, "--gpu", none, "-o", "r"});
-  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result, ExitsWith(3));
   EXPECT_THAT(result.log, HasSubstr("skipped: /nonexistent/program not found"));
   EXPECT_EQ(nlohmann::json::parse(read("r/report.json"))["verdict"], "nothing to compare");
 }
@@ -199,7 +200,7 @@ TEST_F(Program, an_interrupt_stops_the_renderers_and_leaves_no_files) {
   }
   ASSERT_GT(pid, 0) << process.log();
   process.signal(SIGINT);
-  EXPECT_EQ(process.wait(std::chrono::seconds(30)).exit_code, 130);
+  EXPECT_THAT(process.wait(std::chrono::seconds(30)), ExitsWith(130));
   EXPECT_NE(::kill(pid, 0), 0) << "the renderer outlived us";
   for (const std::string& name : files()) EXPECT_FALSE(name.starts_with("lumaknot-")) << name;
 }
@@ -212,7 +213,7 @@ TEST_F(Program, validate_refuses_a_scene_the_camera_does_not_see) {
 TEST_F(Program, doctor_reports_how_to_get_what_is_missing) {
   const std::string none = "/nonexistent/program";
   const ProcessResult result = lumaknot({"doctor", "--povray", none, "--blender", none});
-  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result, ExitsWith(0));
   EXPECT_THAT(result.log,
               AllOf(HasSubstr("apt-get install povray"), HasSubstr("apt-get install blender")));
 }

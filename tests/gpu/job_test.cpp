@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "tests/gpu/testing.h"
+#include "tests/system/exits_with.h"
 
 namespace lumaknot {
 namespace {
@@ -34,7 +35,7 @@ class GpuJob : public GpuTest {
   /// Expects exit code `code`, a log that holds `part`, and no picture.
   void expect_end(const Json& job, int code, const std::string& part) {
     const ProcessResult ended = run_job(job);
-    EXPECT_EQ(ended.exit_code, code) << ended.log;
+    EXPECT_THAT(ended, ExitsWith(code));
     EXPECT_THAT(ended.log, AllOf(StartsWith("lumaknot-gpu: "), HasSubstr(part)));
     EXPECT_FALSE(std::filesystem::exists(path("o.bin")));
     if (code != 2) return;
@@ -120,15 +121,15 @@ TEST_F(GpuJob, two_draws_may_not_write_one_file) {
 TEST_F(GpuJob, text_that_is_no_json_is_refused) {
   write("job.json", "{\"api\": \n");
   const ProcessResult ended = gpu({"job.json"});
-  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended, ExitsWith(2));
   EXPECT_THAT(ended.log, AllOf(HasSubstr("job.json is not JSON"), HasSubstr("line 2")));
-  EXPECT_EQ(gpu({"none.json"}).exit_code, 2);
+  EXPECT_THAT(gpu({"none.json"}), ExitsWith(2));
 }
 
 TEST_F(GpuJob, wrong_use_is_told) {
   EXPECT_THAT(gpu({}).log, HasSubstr("usage: lumaknot-gpu JOB.json"));
-  EXPECT_EQ(gpu({}).exit_code, 2);
-  EXPECT_EQ(gpu({"--version-of", "direct3d"}).exit_code, 2);
+  EXPECT_THAT(gpu({}), ExitsWith(2));
+  EXPECT_THAT(gpu({"--version-of", "direct3d"}), ExitsWith(2));
 }
 
 class GlJob : public GpuJob, public ::testing::WithParamInterface<std::string> {
@@ -158,7 +159,7 @@ TEST_P(GlJob, a_good_job_draws) { EXPECT_TRUE(run_job(job()).succeeded()); }
 
 TEST_P(GlJob, version_is_one_line) {
   const ProcessResult ended = gpu({"--version-of", GetParam()});
-  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended, ExitsWith(0));
   EXPECT_EQ(std::ranges::count(ended.log, '\n'), 1);
 }
 
@@ -268,7 +269,7 @@ const std::string kUseBlock = "color = a[3] * b;";
 
 TEST_F(VulkanJob, a_good_job_draws) {
   EXPECT_TRUE(run_job(with_block(job(kBlock, kUseBlock), 80)).succeeded());
-  EXPECT_EQ(gpu({"--version-of", "vulkan"}).exit_code, 0);
+  EXPECT_THAT(gpu({"--version-of", "vulkan"}), ExitsWith(0));
 }
 
 TEST_F(VulkanJob, a_block_shorter_than_the_shaders_is_told) {

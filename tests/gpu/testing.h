@@ -14,6 +14,7 @@
 
 #include "system/atomic_file.h"
 #include "system/process.h"
+#include "tests/system/exits_with.h"
 
 namespace lumaknot {
 
@@ -194,7 +195,7 @@ class EachApi : public GpuTest, public ::testing::WithParamInterface<std::string
   /// Runs the job and returns the pixels of draw `name`.
   std::vector<Pixel> drawn(const std::string& name) {
     const ProcessResult ended = run_job(job_);
-    EXPECT_EQ(ended.exit_code, 0) << ended.log;
+    EXPECT_THAT(ended, ExitsWith(0));
     return ended.succeeded() ? pixels(name + ".bin") : std::vector<Pixel>();
   }
   /// The pixels where `statements` set `color` over the whole image.

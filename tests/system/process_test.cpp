@@ -6,6 +6,8 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/system/exits_with.h"
+
 namespace lumaknot {
 namespace {
 
@@ -21,14 +23,14 @@ ProcessResult shell(const PrivateFolder& folder, const std::string& script,
 TEST(Process, reports_exit_code_and_both_streams) {
   const PrivateFolder folder;
   const ProcessResult ended = shell(folder, "echo out; echo err >&2; exit 3");
-  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended, ExitsWith(3));
   EXPECT_FALSE(ended.succeeded());
   EXPECT_EQ(ended.log, "out\nerr\n");
 }
 
 TEST(Process, reports_the_signal_that_ended_a_program) {
   const PrivateFolder folder;
-  EXPECT_EQ(shell(folder, "kill -SEGV $$").exit_code, 128 + SIGSEGV);
+  EXPECT_THAT(shell(folder, "kill -SEGV $$"), ExitsWith(128 + SIGSEGV));
 }
 
 TEST(Process, runs_in_its_folder_with_an_environment_of_its_own) {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program_test.h"
+#include "tests/system/exits_with.h"
 
 namespace lumaknot {
 namespace {
@@ -11,7 +12,7 @@ class WholePaper : public Program {};
 TEST_F(WholePaper, all_three_renderers_draw_every_picture_and_agree) {
   const ProcessResult ended = lumaknot(
       {"paper", "--size", "96", "--rounds", "1", "--seconds", "0.02", "-o", "out", "--quiet"});
-  ASSERT_EQ(ended.exit_code, 0) << ended.log;
+  ASSERT_THAT(ended, ExitsWith(0));
   EXPECT_EQ(ended.log, "");
   const auto json = nlohmann::json::parse(read("out/claims.json"));
   for (const char* figure : {"figure1", "figure2"}) {

@@ -11,6 +11,7 @@
 #include "scene/presets.h"
 #include "system/atomic_file.h"
 #include "system/process.h"
+#include "tests/system/exits_with.h"
 #include "validate/compare/explain.h"
 
 namespace lumaknot {
@@ -39,7 +40,7 @@ Image own_figure2() {
 
 TEST(Export, pov_scene_renders_as_it_stands) {
   const PrivateFolder folder;
-  ASSERT_EQ(lumaknot_run(folder, {"export", "figure2", "-o", "knot.pov"}).exit_code, 0);
+  ASSERT_THAT(lumaknot_run(folder, {"export", "figure2", "-o", "knot.pov"}), ExitsWith(0));
   const ProcessResult ended = run({{find_program("povray").string(), "+Iknot.pov", "+Oknot.png",
                                     "+W720", "+H720", "-A", "+UA", "+FN16", "File_Gamma=1.0", "-D"},
                                    folder.path(),
@@ -54,7 +55,7 @@ TEST(Export, pov_scene_renders_as_it_stands) {
 
 TEST(Export, blender_script_renders_as_it_stands) {
   const PrivateFolder folder;
-  ASSERT_EQ(lumaknot_run(folder, {"export", "figure2", "-o", "knot.py"}).exit_code, 0);
+  ASSERT_THAT(lumaknot_run(folder, {"export", "figure2", "-o", "knot.py"}), ExitsWith(0));
   const ProcessResult ended =
       run({{find_program("blender").string(), "-b", "--factory-startup", "--python-exit-code", "7",
             "--python", "knot.py", "--", "--render", "final=knot.exr"},
@@ -69,7 +70,7 @@ TEST(Export, blender_script_renders_as_it_stands) {
 TEST(Export, blend_file_renders_alone_and_holds_no_path_of_this_machine) {
   const PrivateFolder folder;
   const ProcessResult exported = lumaknot_run(folder, {"export", "figure2", "-o", "knot.blend"});
-  ASSERT_EQ(exported.exit_code, 0) << exported.log;
+  ASSERT_THAT(exported, ExitsWith(0));
   const ProcessResult ended =
       run({{find_program("blender").string(), "-b", "knot.blend", "-o",
             (folder.path() / "frame").string(), "-F", "OPEN_EXR", "-f", "1"},
@@ -85,7 +86,7 @@ TEST(Export, blend_file_renders_alone_and_holds_no_path_of_this_machine) {
 TEST(Doctor, finds_the_renderers_and_their_versions) {
   const PrivateFolder folder;
   const ProcessResult ended = lumaknot_run(folder, {"doctor"});
-  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended, ExitsWith(0));
   EXPECT_THAT(ended.log, ::testing::ContainsRegex("Cycles +found +Blender [0-9]"));
   EXPECT_THAT(ended.log, ::testing::ContainsRegex("POV-Ray +found +POV-Ray [0-9]"));
 }
