@@ -33,7 +33,7 @@ struct Argument {
   std::string_view value = {};    ///< placeholder; empty: from the target's type
   std::string default_text = {};  ///< empty: the target's value
   std::vector<std::string> choices = {};
-  std::optional<Bound> range = {};
+  std::optional<Interval<double>> range = {};
   bool checked = true;  ///< false: the command itself checks `choices` and `range`
   bool required = false;
   bool list = false;                       ///< comma-separated values

@@ -40,7 +40,7 @@ CLI::Validator member_of(const Argument& argument) {
 }
 
 CLI::Validator within(const Argument& argument) {
-  const Bound& range = *argument.range;
+  const Interval<double>& range = *argument.range;
   if (range.open_min) return CLI::PositiveNumber;
   if (takes_int(argument)) return CLI::Range(int(range.min), int(range.max));
   return CLI::Range(range.min, range.max);

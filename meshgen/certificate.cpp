@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 #include "scene/presets.h"
 
 namespace lumaknot {
@@ -53,13 +53,13 @@ double ring_tilt(const Rings& rings, const Curve& line, int segments) {
   return max;
 }
 
-void widen(Range& range, double value) {
+void widen(Interval<double>& range, double value) {
   range.min = std::min(range.min, value);
   range.max = std::max(range.max, value);
 }
 
 Stretch stretch_of(const Rings& rings, std::span<const double> lengths, const KnotSpec& knot) {
-  constexpr Range kNone{std::numeric_limits<double>::max(), 0};
+  constexpr Interval<double> kNone{std::numeric_limits<double>::max(), 0};
   Stretch stretch{kNone, kNone, kNone};
   const double tile = lengths.back() / knot.repeat_u;  // along, on average
   const double share = 2 * kPi * knot.tube_radius / knot.sides;
@@ -144,7 +144,7 @@ Certificate certify(const KnotSpec& knot, const TriangleMesh& mesh) {
   result.exact_area = 2 * kPi * knot.tube_radius * result.length;
   result.holonomy = spine.holonomy() * kDegrees;
   const std::vector<double> lengths = spine.arc_lengths(knot.segments);
-  const std::vector<Frame> frames = ring_frames(spine, knot.frames, lengths);
+  const std::vector<RingFrame> frames = ring_frames(spine, knot.frames, lengths);
   result.twist = twist(frames) * kDegrees;
   result.closing_error = angle_between(frames.front().normal, frames.back().normal);
   const GridLayout layout = layout_of(knot);

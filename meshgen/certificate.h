@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "math/interval.h"
 #include "meshgen/clearance.h"
 #include "meshgen/deviation.h"
 #include "meshgen/knot_mesh.h"
@@ -10,17 +11,13 @@
 
 namespace lumaknot {
 
-/// A range of measured values.
-struct Range {
-  double min = 0, max = 0;
-};
-
 /// How far a texture is stretched relative to the average, at its minimum and maximum: 1 is
 /// uniform.
 struct Stretch {
-  Range along;    ///< lengths of the centre line per unit of u
-  Range surface;  ///< lengths of edges along, relative to the exact centre line's average
-  Range around;   ///< lengths of edges around, relative to the exact circle's
+  Interval<double> along;  ///< lengths of the centre line per unit of u
+  Interval<double>
+      surface;              ///< lengths of edges along, relative to the exact centre line's average
+  Interval<double> around;  ///< lengths of edges around, relative to the exact circle's
 };
 
 /// Lengths in scene units, angles in degrees.

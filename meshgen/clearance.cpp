@@ -20,10 +20,10 @@
 #include <queue>
 #include <utility>
 
+#include "math/angle.h"
 #include "meshgen/link_pair.h"
 #include "meshgen/quadratic.h"
 #include "meshgen/sharpest_bend.h"
-#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {

@@ -72,7 +72,7 @@ double chord_at(const TubeGrid& grid, const Corners& corners, const Site& site) 
 
 double angle_key_at(const TubeGrid& grid, const Corners& corners, const Site& site) {
   const double theta = 2 * std::numbers::pi * (site.side + side_fraction(site)) / grid.sides;
-  const Frame frame = grid.surface.spine().frame(parameter_of(grid, site));
+  const RingFrame frame = grid.surface.spine().frame(parameter_of(grid, site));
   return angle_key(mix(corners.normals, site),
                    frame.normal * std::cos(theta) + frame.binormal * std::sin(theta));
 }

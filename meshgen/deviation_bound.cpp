@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/angle.h"
 #include "meshgen/deviation.h"
-#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/angle.h"
 #include "meshgen/tube_distance.h"
-#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -49,7 +49,7 @@ double sharpest_of(const Curve& curve) {
 
 /// The outer side of the bend at t.
 Witness witness_at(const TubeSurface& surface, double t) {
-  const Frame frame = surface.spine().frame(t);
+  const RingFrame frame = surface.spine().frame(t);
   const Vec3d bend = curve_point(surface.spine().curve(), t).second;
   return {t, std::atan2(-dot(bend, frame.binormal), -dot(bend, frame.normal))};
 }

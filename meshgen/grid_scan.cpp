@@ -5,8 +5,8 @@
 #include <optional>
 #include <tuple>
 
+#include "math/angle.h"
 #include "meshgen/tube_distance.h"
-#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -24,7 +24,7 @@ SinCos side_direction(const TubeGrid& grid, int side) {
   return sin_cos(ring_parameter(side % grid.sides, grid.sides));
 }
 
-Vec3d normal_at(const Frame& frame, const SinCos& d) {
+Vec3d normal_at(const RingFrame& frame, const SinCos& d) {
   return frame.normal * d.c + frame.binormal * d.s;
 }
 
@@ -164,7 +164,7 @@ void GridScan::normals_of(const TubeGrid& grid, const GridRow& low, const GridRo
   const auto frame = [&](double f) {
     return spine.frame(2 * kPi * (low.segment + f) / grid.segments);
   };
-  const Frame third = frame(1.0 / 3), half = frame(0.5), rest = frame(2.0 / 3);
+  const RingFrame third = frame(1.0 / 3), half = frame(0.5), rest = frame(2.0 / 3);
   const std::vector<Vec3d>&a = low.normals, &b = high.normals;
   for (std::size_t k = 0; k + 1 < a.size(); ++k) {
     const int side = low.side + int(k);

@@ -58,7 +58,7 @@ class WorstFindings {
 /// midpoints.
 struct GridRow {
   int segment = 0, side = 0;  ///< of the first vertex
-  Frame frame;
+  RingFrame frame;
   std::vector<Vec3d> positions, normals;
   std::vector<double> vertex, edge;  ///< distance to the centre line - r
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// Lengths too far from each other or from 1 leave no digits for the tube: a frame is then not
 /// orthonormal, or a vertex is not on the tube.
-void check_precision(const KnotSpec& knot, const Frame& frame) {
+void check_precision(const KnotSpec& knot, const RingFrame& frame) {
   for (const Vec3d& arm : {frame.normal, frame.binormal}) {
     const Vec3d position = frame.position + arm * knot.tube_radius;
     const Vec3d spoke = (position - frame.position) / knot.tube_radius;
@@ -58,7 +58,7 @@ std::vector<double> ring_us(const KnotSpec& knot, std::span<const double> arc_le
 
 /// The rings of one component; vertices from `base` on.
 struct Tube {
-  std::vector<Frame> frames;
+  std::vector<RingFrame> frames;
   std::vector<double> us;
   std::size_t base;
 };
@@ -67,7 +67,7 @@ void fill_ring(TriangleMesh& mesh, const Tube& tube, std::span<const Column> col
                double radius) {
   const std::size_t segments = tube.frames.size() - 1;  // the last ring equals the first to the bit
   // Copies, which stores into the mesh can't change.
-  const Frame frame = tube.frames[std::size_t(ring) % segments];
+  const RingFrame frame = tube.frames[std::size_t(ring) % segments];
   const double u = tube.us[std::size_t(ring)];
   std::size_t at = tube.base + std::size_t(ring) * columns.size();
   for (const auto& [angle, v] : columns) {
@@ -162,7 +162,7 @@ TriangleMesh knot_mesh(const KnotSpec& knot) {
     const std::vector<double> lengths = spine.arc_lengths(knot.segments);
     const Tube tube{ring_frames(spine, knot.frames, lengths), ring_us(knot, lengths),
                     k * std::size_t(layout.vertices())};
-    for (const Frame& frame : tube.frames) check_precision(knot, frame);
+    for (const RingFrame& frame : tube.frames) check_precision(knot, frame);
     const std::size_t first = k * std::size_t(layout.triangles());
     tbb::parallel_for(tbb::blocked_range<int>(0, knot.segments + 1), [&](const auto& rings) {
       for (int i = rings.begin(); i < rings.end(); ++i) {

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <vector>
 
+#include "math/angle.h"
 #include "meshgen/deviation.h"
 #include "meshgen/grid_model.h"
 #include "meshgen/grid_scan.h"
-#include "scene/angle.h"
 #include "system/error.h"
 
 namespace lumaknot {

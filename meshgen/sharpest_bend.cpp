@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -128,7 +128,7 @@ double Spine::min_twist(double t) const {
   return twist_rate() * integral_of(slowness_, slowness_start_, t);
 }
 
-Frame Spine::frame_at(const TorusAngles& at, double twist, double arc_length) const {
+RingFrame Spine::frame_at(const TorusAngles& at, double twist, double arc_length) const {
   const auto& [longitude, meridian] = at;
   const CurvePoint point = curve_point(curve_, at);
   const Vec3d tangent = normalize(point.first);
@@ -139,7 +139,7 @@ Frame Spine::frame_at(const TorusAngles& at, double twist, double arc_length) co
   return {point.position, tangent, normal, cross(normal, tangent)};
 }
 
-Frame Spine::frame(double t) const {
+RingFrame Spine::frame(double t) const {
   return frame_at(torus_angles(curve_, t), min_twist(t), arc_length(t));
 }
 
@@ -164,12 +164,12 @@ std::vector<double> Spine::arc_lengths(int n) const {
   return lengths;
 }
 
-std::vector<Frame> Spine::frames(std::span<const double> arc_lengths) const {
+std::vector<RingFrame> Spine::frames(std::span<const double> arc_lengths) const {
   const int n = int(arc_lengths.size()) - 1;
   const std::vector<TorusAngles> angles = ring_angles(curve_, n);
   const std::vector<double> slowness =
       curve_.q != 0 ? at_rings(slowness_, n) : std::vector<double>(arc_lengths.size());
-  std::vector<Frame> frames;
+  std::vector<RingFrame> frames;
   frames.reserve(angles.size());
   for (std::size_t i = 0; i < angles.size(); ++i) {
     frames.push_back(frame_at(angles[i], twist_rate() * slowness[i], arc_lengths[i]));

@@ -11,7 +11,7 @@
 namespace lumaknot {
 
 /// An orthonormal frame on the centre line: `normal` x `tangent` = `binormal`.
-struct Frame {
+struct RingFrame {
   Vec3d position, tangent;
   Vec3d normal, binormal;  ///< span the ring's plane, normal at angle 0 of the tube
 };
@@ -62,19 +62,19 @@ class Spine {
   double holonomy() const { return holonomy_; }
 
   /// The closed frame at t, with an error of about 1e-15 radians per turn.
-  Frame frame(double t) const;
+  RingFrame frame(double t) const;
 
   /// arc_length() at the rings t = 2 pi i / n, 0 <= i <= n, at much lower cost.
   std::vector<double> arc_lengths(int n) const;
   /// frame() at the rings of `arc_lengths`, the result of arc_lengths().
-  std::vector<Frame> frames(std::span<const double> arc_lengths) const;
+  std::vector<RingFrame> frames(std::span<const double> arc_lengths) const;
 
  private:
   std::vector<double> at_rings(const PeriodicIntegral& integral, int n) const;
   double integral_of(const PeriodicIntegral& integral, double start, double t) const;
   double min_twist(double t) const;
   double twist_rate() const { return curve_.p * curve_.q * curve_.major_radius; }
-  Frame frame_at(const TorusAngles& at, double twist, double arc_length) const;
+  RingFrame frame_at(const TorusAngles& at, double twist, double arc_length) const;
 
   Curve curve_;
   PeriodicIntegral speed_, slowness_;

@@ -3,7 +3,7 @@
 namespace lumaknot {
 
 TubePoint TubeSurface::at(double t, double theta) const {
-  const Frame frame = spine_.frame(t);
+  const RingFrame frame = spine_.frame(t);
   const CurvePoint point = curve_point(spine_.curve(), t);
   const double rate = length(point.first);
   const Vec3d normal = frame.normal * std::cos(theta) + frame.binormal * std::sin(theta);

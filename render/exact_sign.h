@@ -1,7 +1,7 @@
 /// Signs that rounding can't flip.
 #pragma once
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

@@ -42,7 +42,7 @@ Vec3d ShadingIn<S>::color(const Fragment& fragment, const Vec3d& texture) const 
 template <class S>
 Terms<S> ShadingIn<S>::terms_at(const Vec3d& position, const Vec3d& normal) const {
   const SurfacePoint<S> point{constant_vec<S>(position), constant_vec<S>(normal)};
-  return surface_terms(point, lighting_.eye_position, lighting_.lights, lighting_.model,
+  return surface_terms(point, lighting_.eye_position, lighting_.lights, lighting_.parameters,
                        shot_.material);
 }
 

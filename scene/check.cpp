@@ -23,11 +23,11 @@ struct RangeVisitor {
   std::string prefix;
 
   std::string label(std::string_view key) const { return field_label(prefix, key); }
-  void integer(std::string_view key, int value, IntRange range, std::string_view) const {
+  void integer(std::string_view key, int value, Interval<int> range, std::string_view) const {
     check_integer(label(key), value, range);
   }
-  void number(std::string_view key, double value, Bound bound, std::string_view) const {
-    check_number(label(key), value, bound);
+  void number(std::string_view key, double value, Interval<double> range, std::string_view) const {
+    check_number(label(key), value, range);
   }
   template <class Enum, class Names>
   void choice(std::string_view, Enum, const Names&, std::string_view) const {}
@@ -116,6 +116,20 @@ class LightCheck {
   std::string path_;
 };
 
+/// Checks the numbers that the model reads: another one may allow more.
+void check_parameters(const Material& material) {
+  const auto check = [&](auto term, auto... numbers) {
+    const std::array<double, sizeof...(numbers)> values{numbers...};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Parameter& p = term.kParameters[i];
+      check_number(fmt::format("material.{}", p.name), values[i], p.range,
+                   fmt::format(" for {}", kModelNames[std::size_t(material.model)]));
+    }
+  };
+  with_diffuse(material.model, material.parameters, check);
+  with_highlight(material.model, material.parameters, check);
+}
+
 void check_material(const Material& material) {
   const auto quoted = [](Space space) { return kSpaceNames[std::size_t(space)]; };
   if (material.space == Space::kRgb && material.luma_offset != 0) {
@@ -130,32 +144,29 @@ void check_material(const Material& material) {
                     "or set material.form to \"matrices\"",
                     kFormNames[std::size_t(material.form)], quoted(material.space)));
   }
-  constexpr double kSmoothest = 0.04;  // its highlight is 6e-4 radians wide
-  if (material.model == Model::kCookTorrance && material.roughness < kSmoothest) {
-    throw Error(fmt::format("material.roughness must be >= {} for cook-torrance, got {}",
-                            kSmoothest, material.roughness));
-  }
+  check_parameters(material);
 }
 
 }  // namespace
 
-void check_integer(const std::string& label, long long value, IntRange range) {
+void check_integer(const std::string& label, long long value, Interval<int> range) {
   if (value >= range.min && value <= range.max) return;
   throw Error(fmt::format("{} must be an integer from {} to {}, got {}", label, range.min,
                           range.max, value));
 }
 
-void check_number(const std::string& label, double value, Bound bound) {
+void check_number(const std::string& label, double value, Interval<double> range,
+                  std::string_view why) {
   if (!std::isfinite(value)) {
     throw Error(fmt::format("{} must be a finite number, got {}", label, value));
   }
-  if (value < bound.min || (bound.open_min && value == bound.min)) {
-    throw Error(fmt::format("{} must be {} {}, got {}", label,
-                            bound.open_min ? ">" : ">=", bound.min, value));
+  if (value < range.min || (range.open_min && value == range.min)) {
+    throw Error(fmt::format("{} must be {} {}{}, got {}", label,
+                            range.open_min ? ">" : ">=", range.min, why, value));
   }
-  if (value > bound.max || (bound.open_max && value == bound.max)) {
-    throw Error(fmt::format("{} must be {} {}, got {}", label,
-                            bound.open_max ? "<" : "<=", bound.max, value));
+  if (value > range.max || (range.open_max && value == range.max)) {
+    throw Error(fmt::format("{} must be {} {}{}, got {}", label,
+                            range.open_max ? "<" : "<=", range.max, why, value));
   }
 }
 

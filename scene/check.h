@@ -9,10 +9,12 @@
 namespace lumaknot {
 
 /// Throws Error unless `value` lies in `range`; `label` is the JSON path or the flag.
-void check_integer(const std::string& label, long long value, IntRange range);
+void check_integer(const std::string& label, long long value, Interval<int> range);
 
-/// Throws Error unless `value` is finite and within `bound`.
-void check_number(const std::string& label, double value, Bound bound);
+/// Throws Error unless `value` is finite and in `range`; `why` ends what it must be (" for
+/// minnaert").
+void check_number(const std::string& label, double value, Interval<double> range,
+                  std::string_view why = {});
 
 /// The name of the field `key` in errors: `prefix` + key ("mesh.knot.p"), or, after "--", the flag.
 std::string field_label(const std::string& prefix, std::string_view key);

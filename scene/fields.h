@@ -3,7 +3,7 @@
 /// table.
 ///
 /// A visitor has the members
-///   integer(key, int&, IntRange, about), number(key, double&, Bound, about),
+///   integer(key, int&, Interval<int>, about), number(key, double&, Interval<double>, about),
 ///   vector(key, Vec3d&, about), color(key, Vec3d&, about), text(key, std::string&, about),
 ///   constant(key, value, about), choice(key, Enum&, names, about), object(key, Struct&, about),
 ///   one_of(key, variant&, about), which calls visit_value() with the chosen alternative,
@@ -11,7 +11,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <string_view>
 
@@ -19,29 +18,11 @@
 
 namespace lumaknot {
 
-/// The integers from `min` to `max`.
-struct IntRange {
-  int min = std::numeric_limits<int>::min();
-  int max = std::numeric_limits<int>::max();
-};
-
-/// The finite numbers from `min` to `max`, excluding the ends where `open_min`, `open_max` are set.
-struct Bound {
-  double min = std::numeric_limits<double>::lowest();
-  double max = std::numeric_limits<double>::max();
-  bool open_min = false, open_max = false;
-};
-
-inline constexpr Bound kPositive{.min = 0, .open_min = true};
-inline constexpr Bound kNotNegative{.min = 0};
-
 /// For light and lit colours: single precision holds the products and sums of such numbers.
 inline constexpr double kBrightest = 1e6;
-inline constexpr Bound kBrightness{.min = 0, .max = kBrightest};
+inline constexpr Interval<double> kBrightness{.min = 0, .max = kBrightest};
 
 /// The names of an enumeration's values, in order.
-inline constexpr std::array<std::string_view, 5> kModelNames{"phong", "blinn-phong", "minnaert",
-                                                             "oren-nayar", "cook-torrance"};
 inline constexpr std::array<std::string_view, 8> kSpaceNames{"rgb",    "yiq",    "yuv601", "yuv709",
                                                              "cielab", "cieluv", "din99",  "atd95"};
 inline constexpr std::array<std::string_view, 3> kFormNames{"matrices", "collapsed", "baked"};
@@ -128,11 +109,10 @@ void visit_fields(V& v, Material& m) {
   v.choice("model", m.model, kModelNames, "the lighting model");
   v.choice("space", m.space, kSpaceNames, "where light acts: every channel, or brightness alone");
   v.choice("form", m.form, kFormNames, "how the colour gets into the space and back");
-  v.number("shininess", m.shininess, kNotNegative, "exponent of Phong's and Blinn's highlight");
-  v.number("roughness", m.roughness, {.min = 0, .max = 1.57},
-           "oren-nayar: sigma, radians; cook-torrance: square root of alpha");
-  v.number("reflectance", m.reflectance, {.min = 0, .max = 1}, "cook-torrance: head on, F0");
-  v.number("darkness", m.darkness, {.min = 0, .max = 10}, "minnaert: exponent, 1 is Lambert");
+  for (std::size_t i = 0; i < kParameterCount; ++i) {
+    const Parameter& p = model_parameters()[i];
+    v.number(p.name, m.parameters.at(i), p.range, p.meaning);
+  }
   v.number("diffuse", m.diffuse, kBrightness, "weight of the diffuse term");
   v.number("specular", m.specular, kBrightness, "weight of the specular term");
   v.color("ambient_color", m.ambient_color, "of the surface in ambient light");

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

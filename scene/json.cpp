@@ -14,8 +14,12 @@ struct Writer {
   Json json = Json::object();
 
   Json& put(std::string_view key) { return json[std::string(key)]; }
-  void integer(std::string_view key, int value, IntRange, std::string_view) { put(key) = value; }
-  void number(std::string_view key, double value, Bound, std::string_view) { put(key) = value; }
+  void integer(std::string_view key, int value, Interval<int>, std::string_view) {
+    put(key) = value;
+  }
+  void number(std::string_view key, double value, Interval<double>, std::string_view) {
+    put(key) = value;
+  }
   void vector(std::string_view key, const Vec3d& value, std::string_view) {
     put(key) = components(value);
   }
@@ -66,16 +70,16 @@ struct SchemaWriter {
     schema["description"] = about;
     properties[std::string(key)] = std::move(schema);
   }
-  void integer(std::string_view key, int value, IntRange range, std::string_view about) {
+  void integer(std::string_view key, int value, Interval<int> range, std::string_view about) {
     put(key, about,
         {{"type", "integer"}, {"minimum", range.min}, {"maximum", range.max}, {"default", value}});
   }
-  void number(std::string_view key, double value, Bound bound, std::string_view about) {
+  void number(std::string_view key, double value, Interval<double> range, std::string_view about) {
     Json schema{{"type", "number"}, {"default", value}};
-    if (bound.min > Bound{}.min)
-      schema[bound.open_min ? "exclusiveMinimum" : "minimum"] = bound.min;
-    if (bound.max < Bound{}.max)
-      schema[bound.open_max ? "exclusiveMaximum" : "maximum"] = bound.max;
+    if (range.min > Interval<double>{}.min)
+      schema[range.open_min ? "exclusiveMinimum" : "minimum"] = range.min;
+    if (range.max < Interval<double>{}.max)
+      schema[range.open_max ? "exclusiveMaximum" : "maximum"] = range.max;
     put(key, about, schema);
   }
   void vector(std::string_view key, const Vec3d& value, std::string_view about) {

@@ -46,7 +46,7 @@ class Reader {
     }
   }
 
-  void integer(std::string_view key, int& value, IntRange range, std::string_view) {
+  void integer(std::string_view key, int& value, Interval<int> range, std::string_view) {
     const Json* found = find(key);
     if (!found) return;
     // As in JSON Schema, 720.0 is an integer too. Every number here is exact as a double or too
@@ -58,11 +58,11 @@ class Reader {
     }
     value = int(number);
   }
-  void number(std::string_view key, double& value, Bound bound, std::string_view) {
+  void number(std::string_view key, double& value, Interval<double> range, std::string_view) {
     const Json* found = find(key);
     if (!found) return;
     if (!found->is_number()) fail(key, "a number", *found);
-    check_number(label(key), found->get<double>(), bound);
+    check_number(label(key), found->get<double>(), range);
     value = found->get<double>();
   }
   void vector(std::string_view key, Vec3d& value, std::string_view) { triple(key, value, {}); }
@@ -178,7 +178,7 @@ class Reader {
   [[noreturn]] void fail(std::string_view key, std::string_view wanted, const Json& got) const {
     throw Error(fmt::format("{} must be {}, got {}", label(key), wanted, in_short(got)));
   }
-  void triple(std::string_view key, Vec3d& value, Bound bound) {
+  void triple(std::string_view key, Vec3d& value, Interval<double> range) {
     const Json* found = find(key);
     if (!found) return;
     if (!found->is_array() || found->size() != 3) fail(key, "three numbers", *found);
@@ -186,7 +186,7 @@ class Reader {
     for (std::size_t i = 0; i < 3; ++i) {
       if (!(*found)[i].is_number()) fail(key, "three numbers", *found);
       parts[i] = (*found)[i].get<double>();
-      check_number(fmt::format("{}[{}]", label(key), i), parts[i], bound);
+      check_number(fmt::format("{}[{}]", label(key), i), parts[i], range);
     }
     value = {parts[0], parts[1], parts[2]};
   }

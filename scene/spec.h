@@ -6,9 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "math/vec.h"
+#include "models/registry.h"
 #include "scene/image.h"
 #include "scene/triangle_mesh.h"
-#include "scene/vec.h"
 
 namespace lumaknot {
 
@@ -117,15 +118,6 @@ struct SpotLight {
 
 using Light = std::variant<PointLight, DirectionalLight, SpotLight>;
 
-/// The lighting models. All except Cook-Torrance have Phong's highlight or Blinn's.
-enum class Model {
-  kPhong,         ///< Lambert and Phong: paper eq. 1 and 2
-  kBlinnPhong,    ///< Lambert and Blinn's highlight
-  kMinnaert,      ///< Minnaert's diffuse term, Phong's highlight
-  kOrenNayar,     ///< Oren and Nayar's diffuse term, Phong's highlight
-  kCookTorrance,  ///< Lambert, and microfacets: GGX, Smith, Schlick
-};
-
 /// Where light acts: on every channel (eq. 3), or on the brightness axis of a space alone (6-8).
 enum class Space { kRgb, kYiq, kYuv601, kYuv709, kCielab, kCieluv, kDin99, kAtd95 };
 
@@ -167,12 +159,9 @@ struct Material {
   Model model = Model::kPhong;
   Space space = Space::kRgb;
   Form form = Form::kMatrices;
-  double shininess = 55;      ///< k of eq. 2, >= 0: phong, blinn-phong, minnaert, oren-nayar
-  double roughness = 0.3;     ///< oren-nayar: sigma, radians; cook-torrance: alpha = roughness^2
-  double reflectance = 0.04;  ///< cook-torrance: F0, in [0, 1]
-  double darkness = 1;        ///< minnaert: its exponent, 1 is Lambert
-  double diffuse = 1;         ///< weight of L_D, >= 0
-  double specular = 1;        ///< weight of L_S, >= 0
+  ModelParameters<double> parameters;  ///< those that `model` does not have are not read
+  double diffuse = 1;                  ///< weight of L_D, >= 0
+  double specular = 1;                 ///< weight of L_S, >= 0
   Vec3d ambient_color{1, 1, 1}, diffuse_color{1, 1, 1}, specular_color{1, 1, 1};  ///< m_a, m_d, m_s
   Vec3d emissive{0, 0, 0};  ///< m_e, the light that the surface emits
   double luma_offset = 0;   ///< added to Y_F; Table 1: -0.1. Zero in space rgb

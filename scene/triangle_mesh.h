@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 #include "system/bulk.h"
 
 namespace lumaknot {

@@ -61,10 +61,10 @@ Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limit
 }
 
 /// Coverage is the first rung; the others follow in the shots' order.
-std::string first_difference(const std::vector<Shot>& shots, const RendererResult& judgement) {
-  if (judgement.coverage_unexplained > 0) return "coverage";
+std::string first_difference(const std::vector<Shot>& shots, const RendererResult& result) {
+  if (result.coverage_unexplained > 0) return "coverage";
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    const Judged& judged = judgement.shots[i];
+    const Judged& judged = result.shots[i];
     if (judged.drawn.status == RenderedShot::Status::kDrawn && !judged.comparison.agrees()) {
       return shots[i].name;
     }
@@ -73,28 +73,27 @@ std::string first_difference(const std::vector<Shot>& shots, const RendererResul
 }
 
 RendererResult judge_all(const Ours& ours, Rendering rendering) {
-  RendererResult judgement;
+  RendererResult result;
   const Limits& limits = renderer_entry(rendering.renderer).limits;
   for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
-    judgement.shots.push_back(
+    result.shots.push_back(
         judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits));
-    const Comparison& c = judgement.shots.back().comparison;
-    judgement.coverage_differs = std::max(judgement.coverage_differs, c.coverage_differs);
-    judgement.coverage_unexplained =
-        std::max(judgement.coverage_unexplained, c.coverage_unexplained);
+    const Comparison& c = result.shots.back().comparison;
+    result.coverage_differs = std::max(result.coverage_differs, c.coverage_differs);
+    result.coverage_unexplained = std::max(result.coverage_unexplained, c.coverage_unexplained);
   }
   rendering.shots.clear();
-  judgement.rendering = std::move(rendering);
-  judgement.first_difference = first_difference(ours.shots, judgement);
-  return judgement;
+  result.rendering = std::move(rendering);
+  result.first_difference = first_difference(ours.shots, result);
+  return result;
 }
 
-Verdict verdict_of(const std::vector<RendererResult>& judgements) {
+Verdict verdict_of(const std::vector<RendererResult>& results) {
   bool compared = false, differs = false;
-  for (const RendererResult& judgement : judgements) {
-    compared |= judgement.drew_any();
-    differs |= !judgement.first_difference.empty();
-    for (const Judged& shot : judgement.shots) {
+  for (const RendererResult& result : results) {
+    compared |= result.drew_any();
+    differs |= !result.first_difference.empty();
+    for (const Judged& shot : result.shots) {
       differs |= shot.drawn.status == RenderedShot::Status::kFailed;
     }
   }
@@ -153,11 +152,11 @@ Validation validate(const ValidationJob& job,
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
-      RendererResult judgement = judge_all(*ours_drawn.get(), std::move(rendering));
+      RendererResult result = judge_all(*ours_drawn.get(), std::move(rendering));
       const std::lock_guard lock(telling);
       if (on_message)
-        on_message(fmt::format("{}: {:.1f} s", renderer->name(), judgement.rendering.seconds));
-      return judgement;
+        on_message(fmt::format("{}: {:.1f} s", renderer->name(), result.rendering.seconds));
+      return result;
     }));
   }
 
@@ -169,8 +168,8 @@ Validation validate(const ValidationJob& job,
     result.own_claims.push_back(final ? ours.claims(image) : Claims{});
     result.own_pictures.push_back(display_png(image));
   }
-  for (auto& task : tasks) result.judgements.push_back(task.get());
-  result.verdict = verdict_of(result.judgements);
+  for (auto& task : tasks) result.results.push_back(task.get());
+  result.verdict = verdict_of(result.results);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = elapsed.count();
   return result;

@@ -49,10 +49,10 @@ enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
 struct Validation {
   std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
   Rendering own;
-  std::vector<Claims> own_claims;          ///< of the final shots
-  std::vector<std::string> own_pictures;   ///< PNG files, one per shot
-  std::vector<RendererResult> judgements;  ///< one per renderer
-  double seconds = 0;                      ///< wall time of everything up to here
+  std::vector<Claims> own_claims;         ///< of the final shots
+  std::vector<std::string> own_pictures;  ///< PNG files, one per shot
+  std::vector<RendererResult> results;    ///< one per renderer
+  double seconds = 0;                     ///< wall time of everything up to here
   Verdict verdict = Verdict::kNothingToCompare;
 };
 

@@ -47,11 +47,11 @@ std::vector<Argument> budget_arguments(BudgetFlags& flags) {
       {.names = "--samples",
        .target = &flags.options.samples,
        .meaning = "use N x N samples per pixel for the stages whose exact form is a mean",
-       .range = Bound{2, 32}},
+       .range = Interval<double>{2, 32}},
       {.names = "--tolerance",
        .target = &flags.options.tolerance,
        .meaning = "estimated error per pixel of the truth the image is compared with",
-       .range = Bound{1e-6, 1.0}}};
+       .range = Interval<double>{1e-6, 1.0}}};
   append(all, output_arguments(flags.out));
   return all;
 }

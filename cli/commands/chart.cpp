@@ -120,7 +120,7 @@ std::vector<Argument> chart_arguments(ChartFlags& flags) {
       {.names = "--rounds",
        .target = &flags.rounds,
        .meaning = "number of rounds; each times every method",
-       .range = Bound{1, 1000}},
+       .range = Interval<double>{1, 1000}},
       {.names = "--alone",
        .target = &flags.alone,
        .meaning = "skip llvmpipe, Cycles, POV-Ray and Eevee"}};

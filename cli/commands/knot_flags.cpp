@@ -26,12 +26,12 @@ struct FlagVisitor {
                      .heading = "Knot"});
     return flags.back();
   }
-  void integer(std::string_view key, int value, IntRange range, std::string_view about) {
+  void integer(std::string_view key, int value, Interval<int> range, std::string_view about) {
     add<long long>(key, std::to_string(value), about).range =
-        Bound{double(range.min), double(range.max)};
+        Interval<double>{double(range.min), double(range.max)};
   }
-  void number(std::string_view key, double value, Bound bound, std::string_view about) {
-    add<double>(key, fmt::format("{}", value), about).range = bound;
+  void number(std::string_view key, double value, Interval<double> range, std::string_view about) {
+    add<double>(key, fmt::format("{}", value), about).range = range;
   }
   template <class Enum, class Names>
   void choice(std::string_view key, Enum value, const Names& names, std::string_view about) {

@@ -46,9 +46,11 @@ std::string compared(double measured, double exact) {
                      100 * (measured / exact - 1));
 }
 
-std::string range(const Range& r) { return fmt::format("{:.4g} ... {:.4g}", r.min, r.max); }
+std::string range(const Interval<double>& r) {
+  return fmt::format("{:.4g} ... {:.4g}", r.min, r.max);
+}
 
-Json range_json(const Range& r) { return {{"least", r.min}, {"most", r.max}}; }
+Json range_json(const Interval<double>& r) { return {{"least", r.min}, {"most", r.max}}; }
 
 Json deviation_json(const Deviation& d) {
   return {{"chord", d.chord}, {"normal_degrees", d.normal_degrees}};

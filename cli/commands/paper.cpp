@@ -26,7 +26,7 @@ struct PaperFlags {
 };
 
 std::string progress_message(const PaperJob& job, const fs::path& folder) {
-  const int kept = kept_lights(job, folder);
+  const int kept = checkpointed_lights(job, folder);
   if (kept == 0) return "interrupted; nothing is kept, the same command starts over";
   return fmt::format(
       "interrupted; the pictures of {} of 2 lights are kept in {}; the same command resumes", kept,
@@ -59,11 +59,11 @@ std::vector<Argument> timing_arguments(PaperFlags& flags) {
   return {{.names = "--rounds",
            .target = &flags.job.rates.rounds,
            .meaning = "number of rounds; each times every renderer",
-           .range = Bound{1, 1000}},
+           .range = Interval<double>{1, 1000}},
           {.names = "--seconds",
            .target = &flags.job.rates.seconds,
            .meaning = "seconds per renderer and round; formulas are timed for twelve times as long",
-           .range = Bound{0.0, 3600.0}},
+           .range = Interval<double>{0.0, 3600.0}},
           {.names = "--time-limit",
            .target = &flags.time_limit,
            .meaning = "seconds a renderer may take",
@@ -81,7 +81,7 @@ std::vector<Argument> paper_arguments(PaperFlags& flags) {
                             {.names = "--size",
                              .target = &flags.job.side,
                              .meaning = "width and height of the pictures in pixels",
-                             .range = Bound{16, 4096}}};
+                             .range = Interval<double>{16, 4096}}};
   append(all, timing_arguments(flags));
   append(all, output_arguments(flags.out));
   append(all, program_arguments(flags.job.programs));

@@ -142,7 +142,7 @@ std::vector<Argument> plan_arguments(PlanFlags& flags) {
       {.names = "--rounds",
        .target = &flags.rounds,
        .meaning = "number of rounds; each times every choice",
-       .range = Bound{1, 1000}}};
+       .range = Interval<double>{1, 1000}}};
   append(all, output_arguments(flags.out));
   return all;
 }

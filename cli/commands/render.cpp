@@ -131,7 +131,7 @@ std::vector<Argument> fast_arguments(RenderFlags& flags) {
   simd.choices = {kSimdNames.begin(), kSimdNames.end()};
   Argument threads = fast_argument("--threads", "number of threads; 0 means one per core");
   threads.target = &flags.options.threads;
-  threads.range = Bound{0, 1024};
+  threads.range = Interval<double>{0, 1024};
   return {multisample_argument(flags), filter, wrap, cull, simd, threads};
 }
 
@@ -149,7 +149,7 @@ std::vector<Argument> truth_arguments(RenderFlags& flags) {
       {.names = "--tolerance",
        .target = &flags.truth_options.tolerance,
        .meaning = "estimated error per pixel of --truth area",
-       .range = Bound{1e-6, 1.0},
+       .range = Interval<double>{1e-6, 1.0},
        .needs = "--truth",
        .heading = "Exact tube"}};
 }

@@ -81,17 +81,17 @@ std::string repeat_command(const ValidateFlags& flags) {
 }
 
 /// A line with the outcome of a renderer.
-std::string summary(const RendererResult& judgement) {
-  std::string line = fmt::format("{:<8} ", judgement.rendering.renderer);
-  const std::vector<Judged>& shots = judgement.shots;
+std::string summary(const RendererResult& result) {
+  std::string line = fmt::format("{:<8} ", result.rendering.renderer);
+  const std::vector<Judged>& shots = result.shots;
   const auto status = [](const Judged& shot) { return shot.drawn.status; };
   auto first = std::ranges::find(shots, RenderedShot::Status::kFailed, status);
   const bool failed = first != shots.end();
   if (!failed) first = std::ranges::find(shots, RenderedShot::Status::kSkipped, status);
-  if (failed || !judgement.drew_any()) {
+  if (failed || !result.drew_any()) {
     return line + fmt::format("{}: {}", outcome(*first), first->drawn.why);
   }
-  const std::string& where = judgement.first_difference;
+  const std::string& where = result.first_difference;
   line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
   const auto count = std::ranges::count(shots, RenderedShot::Status::kSkipped, status);
   if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
@@ -124,7 +124,7 @@ int run(ValidateFlags flags) {
   write_file(fs::path(flags.output) / "report.json", json, "--output");
   write_file(fs::path(flags.output) / "report.html", report_html(validation, head), "--output");
   if (flags.out.json) fmt::print("{}", json);
-  for (const RendererResult& judgement : validation.judgements) flags.out.say(summary(judgement));
+  for (const RendererResult& result : validation.results) flags.out.say(summary(result));
   flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
                             verdict_name(validation.verdict), validation.seconds,
                             (fs::path(flags.output) / "report.html").string()));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxChoices = 12;  // longer lists are left to completion and --list
 
-std::string range_text(const Bound& range) {
+std::string range_text(const Interval<double>& range) {
   if (range.max < std::numeric_limits<double>::max()) {
     return fmt::format("{} to {}", range.min, range.max);
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exporters/gltf/file.h"
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

@@ -29,14 +29,11 @@ Json numbers_of(const View& view) {
   return numbers;
 }
 
-/// The square root of GGX's alpha. Blinn-Phong's lobe (n.h)^k is as wide as GGX with
-/// alpha^2 = 2 / (k + 2) (Walter et al. 2007, section 5.2, of Beckmann's); (r.v)^k is about
-/// (n.h)^(4 k).
+/// The square root of GGX's alpha.
 double roughness_of(const Material& m) {
   if (m.specular == 0) return 1;
-  if (m.model == Model::kCookTorrance) return std::min(m.roughness, 1.0);
-  const double exponent = m.model == Model::kBlinnPhong ? m.shininess : 4 * m.shininess;
-  return std::pow(2 / (exponent + 2), 0.25);
+  return with_highlight(m.model, m.parameters,
+                        [](auto term, auto... p) { return term.ggx_roughness(p...); });
 }
 
 /// The axes of an object that looks along `direction`, as glTF's cameras and lights look along -Z.

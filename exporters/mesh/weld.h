@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

@@ -6,7 +6,7 @@
 
 #include "exporters/image/file.h"
 #include "exporters/mesh/writers.h"
-#include "shaders/graph/number.h"
+#include "math/number.h"
 #include "system/atomic_file.h"
 
 namespace lumaknot {
@@ -26,7 +26,8 @@ std::string material_text(const Scene& scene, std::string_view texture_file) {
   std::string text = "# Made by lumaknot\nnewmtl lumaknot\n";
   text += color_line("Kd", diffuse);
   text += color_line("Ks", material.specular_color * material.specular);
-  text += fmt::format("Ns {}\nillum 2\n", std::min(material.shininess, kMaxShininess));
+  text +=
+      fmt::format("Ns {}\nillum 2\n", std::min(material.parameters["shininess"], kMaxShininess));
   if (!texture_file.empty()) text += fmt::format("map_Kd {}\n", texture_file);
   return text;
 }

@@ -70,20 +70,8 @@ class LightShortfalls {
   std::size_t index_;
 };
 
-void add_diffuse(Shortfalls& list, const Material& m) {
-  add(list, m.model == Model::kMinnaert && m.darkness != 1, "draw Minnaert's diffuse term",
-      "material.darkness 1");
-  add(list, m.model == Model::kOrenNayar && m.roughness != 0, "draw Oren and Nayar's diffuse term",
-      "material.roughness 0");
-}
-
-void add_specular(Shortfalls& list, const Material& m) {
-  if (m.model == Model::kCookTorrance) {
-    add(list, true, "draw the highlights of Cook and Torrance", "material.model \"blinn-phong\"");
-  } else {
-    add(list, m.shininess == 0, "draw a highlight of exponent 0 all around",
-        "material.shininess > 0");
-  }
+void add(Shortfalls& list, const PovTerm& term) {
+  add(list, !term.lack.empty(), std::string(term.lack), std::string(term.nearest));
 }
 
 /// A light that can't be drawn at all.
@@ -91,8 +79,8 @@ Shortfalls missing_terms(const View& view, const Shot& shot) {
   const bool diffuse = needs_diffuse(view, shot), specular = needs_specular(view, shot);
   Shortfalls list;
   if (!diffuse && !specular) return list;
-  if (diffuse) add_diffuse(list, shot.material);
-  if (specular) add_specular(list, shot.material);
+  if (diffuse) add(list, diffuse_in_pov(shot.material));
+  if (specular) add(list, highlight_in_pov(shot.material));
   for (std::size_t i = 0; i < view.lights.size(); ++i) {
     const Shortfalls of_light = std::visit(LightShortfalls(i), view.lights[i]);
     list.insert(list.end(), of_light.begin(), of_light.end());

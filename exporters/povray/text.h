@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

@@ -128,12 +128,10 @@ std::vector<Layer> layers_of(const View& view, const Texture& texture, const Sho
   return rgb_layers(lighting, *pov_highlight(view, shot), texture, prefix);
 }
 
-/// POV-Ray's `roughness` is the inverse of the exponent.
 std::string highlight_text(double weight, const Material& material) {
   if (weight == 0) return {};
-  return material.model == Model::kBlinnPhong
-             ? fmt::format(" specular {} roughness {}", weight, 1 / material.shininess)
-             : fmt::format(" phong {} phong_size {}", weight, material.shininess);
+  const PovTerm term = highlight_in_pov(material);
+  return fmt::format(" {} {} {} {}", term.weight, weight, term.width, term.width_value);
 }
 
 /// A layer's SDL, its weights times `scale`. POV-Ray's ambient and diffuse do not default to 0.
@@ -159,6 +157,14 @@ std::string texture_text(const std::vector<Layer>& layers, const Material& mater
 }
 
 }  // namespace
+
+PovTerm diffuse_in_pov(const Material& m) {
+  return with_diffuse(m.model, m.parameters, [](auto term, auto... p) { return term.pov(p...); });
+}
+
+PovTerm highlight_in_pov(const Material& m) {
+  return with_highlight(m.model, m.parameters, [](auto term, auto... p) { return term.pov(p...); });
+}
 
 std::string pov_texture_name(const std::string& prefix) { return prefix + "texture.png"; }
 

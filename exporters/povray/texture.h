@@ -9,6 +9,10 @@
 
 namespace lumaknot {
 
+/// How POV-Ray draws the terms of the material's model.
+PovTerm diffuse_in_pov(const Material& material);
+PovTerm highlight_in_pov(const Material& material);
+
 /// Names of the image files.
 std::string pov_texture_name(const std::string& prefix);
 std::string pov_luma_name(const std::string& prefix, Space space);

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

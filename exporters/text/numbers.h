@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

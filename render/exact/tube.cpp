@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "math/angle.h"
 #include "meshgen/knot_mesh.h"
-#include "scene/angle.h"
 #include "scene/check.h"
 #include "system/error.h"
 
@@ -44,7 +44,7 @@ ExactFragment ExactTube::first(const Ray& ray, double beyond) const {
   if (!found.hit) return seen;
   const TubeHit& hit = *found.hit;
   const Spine& spine = spines_[hit.curve];
-  const Frame frame = frame_at(spine, knot_.frames, hit.t);
+  const RingFrame frame = frame_at(spine, knot_.frames, hit.t);
   const double angle = std::atan2(dot(hit.normal, frame.binormal), dot(hit.normal, frame.normal));
   seen.t = hit.t;
   seen.theta = angle < 0 ? std::max(angle + kTurn, 0.0) : angle;

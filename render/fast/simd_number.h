@@ -5,7 +5,7 @@
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 namespace lumaknot {
 

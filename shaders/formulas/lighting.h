@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/shot.h"
-#include "shaders/formulas/models.h"
+#include "shaders/formulas/terms.h"
 #include "shaders/spaces/conversions.h"
 
 namespace lumaknot {
@@ -19,7 +19,7 @@ template <class S>
 struct Lighting {
   Vec<S> eye_position;  ///< world
   std::vector<LightNumbers<S>> lights;
-  ModelNumbers<S> model;
+  ModelParameters<S> parameters;                ///< of the lighting model
   Vec<S> ambient, diffuse, specular, emissive;  ///< weights times colours
   S luma_offset;
 };
@@ -115,8 +115,8 @@ Vec<S> stage_color(const Vec<S>& texture, const Terms<S>& terms, const Lighting<
 template <class S>
 Vec<S> stage_color(const SurfacePoint<S>& point, const Vec<S>& texture, const Lighting<S>& lighting,
                    const Shot& shot) {
-  const Terms<S> terms =
-      surface_terms(point, lighting.eye_position, lighting.lights, lighting.model, shot.material);
+  const Terms<S> terms = surface_terms(point, lighting.eye_position, lighting.lights,
+                                       lighting.parameters, shot.material);
   return stage_color(texture, terms, lighting, shot);
 }
 
@@ -219,8 +219,9 @@ Lighting<S> lighting_of(const View& view, const Material& m, const Source& sourc
   const Vec3d& m_a = m.ambient_color;
   return {numbers.vector("eye_position", view.camera.position),
           std::move(lights),
-          {numbers.number("shininess", m.shininess), numbers.number("roughness", m.roughness),
-           numbers.number("reflectance", m.reflectance), numbers.number("darkness", m.darkness)},
+          ModelParameters<S>::from([&](std::size_t i) {
+            return numbers.number(std::string(model_parameters()[i].name), m.parameters.at(i));
+          }),
           numbers.color("ambient", view.ambient, modulate(s_a, m_a)),
           numbers.color("diffuse", m.diffuse, m.diffuse_color),
           numbers.color("specular", m.specular, m.specular_color),

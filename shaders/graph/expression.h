@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/vec.h"
-#include "shaders/graph/number.h"
+#include "math/number.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

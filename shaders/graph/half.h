@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 namespace lumaknot {
 

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string>
 
+#include "models/registry.h"
+
 namespace lumaknot {
 namespace {
 
@@ -27,11 +29,6 @@ constexpr ParameterInfo kParameters[] = {
     {"diffuse", 0, 1, 0.01, "of white", "weight of the diffuse term L_D", ""},
     {"specular", 0, 1, 0.01, "of white", "weight of the specular term L_S", ""},
     {"emissive", 0, 1, 0.01, "of white", "what the surface sends out by itself", ""},
-    {"shininess", 0, 256, 1, "exponent", "k of the highlight max(v.R, 0)^k", "SpecularPower"},
-    {"roughness", 0, 1.57, 0.01, "none",
-     "oren-nayar: sigma, radians; cook-torrance: square root of alpha", ""},
-    {"reflectance", 0, 1, 0.01, "of white", "cook-torrance: head on, F0", ""},
-    {"darkness", 0, 10, 0.01, "exponent", "minnaert: 1 is Lambert", ""},
     {"luma_offset", -1, 1, 0.01, "of white", "added to the lit brightness; Table 1: -0.1", ""},
     {"base_color", 0, 1, 0.01, "r'g'b'", "the surface's colour", "Diffuse"},
     {"base_axes", -1, 1, 0.01, "axes of the space", "the surface's colour: brightness and chroma",
@@ -59,7 +56,12 @@ std::string without_number(std::string_view name) {
 
 }  // namespace
 
-const ParameterInfo& parameter_info(std::string_view name) {
+ParameterInfo parameter_info(std::string_view name) {
+  for (const Parameter& p : model_parameters()) {
+    if (p.name == name) {
+      return {p.name, p.slider.min, p.slider.max, p.step, p.unit, p.meaning, p.semantic};
+    }
+  }
   const std::string plain = without_number(name);
   for (const ParameterInfo& info : kParameters) {
     if (info.name == plain) return info;

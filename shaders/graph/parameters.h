@@ -15,6 +15,6 @@ struct ParameterInfo {
 };
 
 /// The entry of the parameter `name`.
-const ParameterInfo& parameter_info(std::string_view name);
+ParameterInfo parameter_info(std::string_view name);
 
 }  // namespace lumaknot

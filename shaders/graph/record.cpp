@@ -64,8 +64,8 @@ Recorded record_shot(const View& view, const Shot& shot, Keep keep,
   const auto lighting = lighting_of<Scalar>(view, shot.material, RecordedNumbers{keep});
   const SurfacePoint<Scalar> point{vector_input("position"), vector_input("normal")};
   const ScalarVec texture = texture_of(shot.material, color);
-  Terms<Scalar> terms =
-      surface_terms(point, lighting.eye_position, lighting.lights, lighting.model, shot.material);
+  Terms<Scalar> terms = surface_terms(point, lighting.eye_position, lighting.lights,
+                                      lighting.parameters, shot.material);
   Recorded recorded;
   if (shot.material.rate == ShadingFrequency::kVertex)
     terms = at_vertices(terms, recorded.varyings);

@@ -16,7 +16,7 @@ std::vector<EmittedFile> emit(const Shader& shader) {
     inputs.push_back({{"name", input.name}, {"type", "vector"}});
   }
   for (const ShaderParameter& p : shader.fragment.parameters) {
-    const ParameterRange range = range_of(p);
+    const Interval<double> range = range_of(p);
     Json entry{{"name", p.name}, {"type", p.is_vector ? "vector" : "float"}};
     entry["default"] = p.is_vector ? Json(components(p.value)) : Json(p.value.x);
     entry["min"] = range.min;

@@ -7,7 +7,7 @@
 namespace lumaknot {
 
 std::string comment_of(std::string_view name) {
-  const ParameterInfo& info = parameter_info(name);
+  const ParameterInfo info = parameter_info(name);
   return fmt::format("// {} ({})", info.meaning, info.unit);
 }
 
@@ -18,8 +18,8 @@ std::string literal(const ShaderParameter& parameter, const Dialect& dialect) {
                      number_text(v.z));
 }
 
-ParameterRange range_of(const ShaderParameter& parameter) {
-  const ParameterInfo& info = parameter_info(parameter.name);
+Interval<double> range_of(const ShaderParameter& parameter) {
+  const ParameterInfo info = parameter_info(parameter.name);
   const auto [x, y, z] = components(parameter.value);
   if (!parameter.is_vector) return {std::min(info.min, x), std::max(info.max, x)};
   return {std::min({info.min, x, y, z}), std::max({info.max, x, y, z})};

@@ -23,10 +23,7 @@ std::string comment_of(std::string_view name);
 std::string literal(const ShaderParameter& parameter, const Dialect& dialect);
 
 /// The range of a parameter, widened where its value now lies outside.
-struct ParameterRange {
-  double min, max;
-};
-ParameterRange range_of(const ShaderParameter& parameter);
+Interval<double> range_of(const ShaderParameter& parameter);
 
 /// The definitions of the varyings' functions, a blank line after each.
 std::string vertex_functions(const Shader& shader, const Dialect& dialect);

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json entry_json(std::string_view name, std::string_view type, const Dialect& dialect) {
-  const ParameterInfo& info = parameter_info(name);
+  const ParameterInfo info = parameter_info(name);
   Json json{{"name", name},
             {"identifier", dialect.parameter_name ? dialect.parameter_name(name) : name},
             {"type", type},
@@ -29,7 +29,7 @@ Json parameter_json(const ShaderParameter& p, const Dialect& dialect) {
   Json json = entry_json(p.name, p.is_vector ? "vec3" : "float", dialect);
   json["identifier"] = parameter_identifier(p.name, dialect);
   json["default"] = p.is_vector ? Json(components(p.value)) : Json(p.value.x);
-  const ParameterRange range = range_of(p);
+  const Interval<double> range = range_of(p);
   json["range"] = {range.min, range.max};
   return json;
 }

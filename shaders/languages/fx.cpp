@@ -60,14 +60,14 @@ std::string object_annotations(const ShaderParameter& p) {
 }
 
 std::string slider_annotations(const ShaderParameter& p, const ParameterInfo& info) {
-  const auto [min, max] = range_of(p);
+  const Interval<double> range = range_of(p);
   return fmt::format(
       "  string UIName = \"{}\";\n"
       "  string UIWidget = \"slider\";\n"
       "  float UIMin = {};\n"
       "  float UIMax = {};\n"
       "  float UIStep = {};\n",
-      id(p.name), number_text(min), number_text(max), number_text(info.step));
+      id(p.name), number_text(range.min), number_text(range.max), number_text(info.step));
 }
 
 std::string color_annotations(const ShaderParameter& p) {
@@ -75,7 +75,7 @@ std::string color_annotations(const ShaderParameter& p) {
 }
 
 std::string parameter_text(const ShaderParameter& p) {
-  const ParameterInfo& info = parameter_info(p.name);
+  const ParameterInfo info = parameter_info(p.name);
   const bool is_place = p.name.ends_with("position") || p.name.ends_with("direction");
   const std::string semantic = info.semantic.empty() ? "" : fmt::format(" : {}", info.semantic);
   const std::string annotations = is_place      ? object_annotations(p)

@@ -24,10 +24,10 @@ constexpr Dialect kDialect{.scalar_type = "float",
                            .reserved = kOslWords};
 
 std::string metadata(const ShaderParameter& p) {
-  const ParameterInfo& info = parameter_info(p.name);
+  const ParameterInfo info = parameter_info(p.name);
   std::string text = fmt::format("[[ string help = \"{} ({})\"", info.meaning, info.unit);
   if (!p.is_vector) {
-    const ParameterRange range = range_of(p);
+    const Interval<double> range = range_of(p);
     text += fmt::format(", float min = {}, float max = {}", number_text(range.min),
                         number_text(range.max));
   }

@@ -78,10 +78,10 @@ std::string scene_value_name(const Shader& shader, const ShaderParameter& parame
 }
 
 Argument parameter_argument(const Shader& shader, const ShaderParameter& parameter) {
-  const ParameterInfo& info = parameter_info(parameter.name);
-  const auto [min, max] = range_of(parameter);
+  const ParameterInfo info = parameter_info(parameter.name);
+  const Interval<double> range = range_of(parameter);
   return {parameter_identifier(parameter.name, kDialect),
-          fmt::format("{} ({}), {} to {}", info.meaning, info.unit, min, max),
+          fmt::format("{} ({}), {} to {}", info.meaning, info.unit, range.min, range.max),
           scene_value_name(shader, parameter)};
 }
 

@@ -1,7 +1,7 @@
 /// 3 x 3 matrices for formulas: constants in double, applied to any number type.
 #pragma once
 
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 namespace lumaknot {
 

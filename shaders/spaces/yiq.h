@@ -1,7 +1,7 @@
 /// The YIQ space of the paper's eq. 4 and 5: luma, and two chroma axes that carry the hue.
 #pragma once
 
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 namespace lumaknot {
 

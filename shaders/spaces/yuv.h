@@ -6,7 +6,7 @@
 /// own C_B and C_R, both in [-0.5, 0.5] (BT.709-6, 3.3).
 #pragma once
 
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 namespace lumaknot {
 

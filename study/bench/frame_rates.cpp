@@ -215,7 +215,7 @@ RateTable finished(std::vector<Contender>& contenders, RateTable table) {
 }
 
 /// Rounds that disagree widen the interval of their frames alone.
-Interval cost_interval(std::span<const FrameTimes> rounds, std::size_t shot) {
+Interval<double> cost_interval(std::span<const FrameTimes> rounds, std::size_t shot) {
   std::vector<double> costs, medians;
   for (const FrameTimes& round : rounds) {
     for (std::size_t i = 0; i < round[shot].size(); ++i) {
@@ -224,8 +224,8 @@ Interval cost_interval(std::span<const FrameTimes> rounds, std::size_t shot) {
     medians.push_back(1 - paired_ratio(round[0], round[shot]));
   }
   const auto [min, max] = std::ranges::minmax(medians);
-  const Interval frames = median_interval(std::move(costs));
-  return {std::min(frames.low, min), std::max(frames.high, max)};
+  const Interval<double> frames = median_interval(std::move(costs));
+  return {std::min(frames.min, min), std::max(frames.max, max)};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct RateRow {
   std::array<Spread, kRateShots.size()> milliseconds{};
   std::array<double, kRateShots.size()> costs{};  ///< share of the classical rate that is lost
   /// Of the costs: the median's 95 % interval over all pairs of frames, and each round's median.
-  std::array<Interval, kRateShots.size()> cost_intervals{};
+  std::array<Interval<double>, kRateShots.size()> cost_intervals{};
   double ratio = 1;  ///< its time over ours with equal threads and samples, or the next more
                      ///< samples; paired by round
 };

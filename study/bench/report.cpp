@@ -85,8 +85,8 @@ Json row_json(const RateRow& row) {
     Json& shot = json[std::string(kRateShots[i])] = spread_json(row.milliseconds[i]);
     if (i == 0) continue;
     shot["cost"] = row.costs[i];
-    const Interval& interval = row.cost_intervals[i];
-    if (std::isfinite(interval.low)) shot["cost_interval"] = {interval.low, interval.high};
+    const Interval<double>& interval = row.cost_intervals[i];
+    if (std::isfinite(interval.min)) shot["cost_interval"] = {interval.min, interval.max};
   }
   json["ratio_to_ours"] = row.ratio;
   return json;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 
 namespace lumaknot {
 
@@ -35,7 +35,7 @@ KnotSample KnotGrid::of_tube(const ExactFragment& fragment) const {
   return sample;
 }
 
-Frame KnotGrid::frame_of(const KnotSample& sample) const {
+RingFrame KnotGrid::frame_of(const KnotSample& sample) const {
   return frame_at(spines_[std::size_t(sample.seen.triangle)], knot_.frames, sample.t);
 }
 
@@ -44,7 +44,7 @@ Vec3d KnotGrid::exact_position(const KnotSample& sample) const {
 }
 
 Vec3d KnotGrid::exact_normal(const KnotSample& sample) const {
-  const Frame frame = frame_of(sample);
+  const RingFrame frame = frame_of(sample);
   return frame.normal * std::cos(sample.theta) + frame.binormal * std::sin(sample.theta);
 }
 

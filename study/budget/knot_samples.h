@@ -33,7 +33,7 @@ class KnotGrid {
   Vec3d exact_position(const KnotSample& sample) const;
 
  private:
-  Frame frame_of(const KnotSample& sample) const;
+  RingFrame frame_of(const KnotSample& sample) const;
   Vec3d interpolated_normal(std::size_t component, double t, double theta) const;
 
   KnotSpec knot_;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {

@@ -1,9 +1,9 @@
 /// Differences of pictures, pixel by pixel.
 #pragma once
 
+#include "math/vec.h"
 #include "render/fast/renderer.h"
 #include "scene/image.h"
-#include "scene/vec.h"
 
 namespace lumaknot {
 

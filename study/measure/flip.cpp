@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {

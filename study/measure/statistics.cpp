@@ -18,7 +18,7 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-Interval median_interval(std::vector<double> values) {
+Interval<double> median_interval(std::vector<double> values) {
   constexpr double kTail = 0.025;  // on each side
   const double n = double(values.size());
   std::size_t rank = 0;  // of the bounds, from each end
@@ -29,7 +29,7 @@ Interval median_interval(std::vector<double> values) {
     if (below > kTail) break;
     ++rank;
   }
-  if (rank == 0) return {};
+  if (rank == 0) return kUnknown;
   std::ranges::sort(values);
   return {values[rank - 1], values[values.size() - rank]};
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "math/interval.h"
+
 namespace lumaknot {
 
 /// The median and range of measurements.
@@ -13,18 +15,16 @@ struct Spread {
   double median = 0, min = 0, max = 0;
 };
 
-/// The bounds of a value; infinite if unknown.
-struct Interval {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-};
+/// An interval about which nothing is known.
+inline constexpr Interval<double> kUnknown{.min = -std::numeric_limits<double>::infinity(),
+                                           .max = std::numeric_limits<double>::infinity()};
 
 /// The median of `values`, which must not be empty; of an even number the mean of the middle two.
 double median(std::vector<double> values);
 
 /// A confidence interval of at least 95 % for the median of what `values` were drawn from: between
-/// two of them (order statistics, for any distribution). Infinite for fewer than six.
-Interval median_interval(std::vector<double> values);
+/// two of them (order statistics, for any distribution). kUnknown for fewer than six.
+Interval<double> median_interval(std::vector<double> values);
 
 /// Of `values`, which must not be empty.
 Spread spread_of(std::span<const double> values);

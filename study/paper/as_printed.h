@@ -1,10 +1,10 @@
 /// Eq. 1 and 2 as printed in the paper, including errors: only for its examination. The formulas
-/// that pictures use are in shaders/formulas/models.h.
+/// that pictures use are in shaders/formulas/terms.h.
 #pragma once
 
 #include <algorithm>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 

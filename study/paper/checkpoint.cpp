@@ -106,7 +106,7 @@ void forget_lights(const fs::path& folder) {
   }
 }
 
-int kept_lights(const fs::path& folder, const std::string& key) {
+int checkpointed_lights(const fs::path& folder, const std::string& key) {
   return int(kept_light(folder, FigureLight::kFront, key).has_value()) +
          int(kept_light(folder, FigureLight::kBack, key).has_value());
 }

@@ -23,6 +23,6 @@ std::optional<LightPictures> kept_light(const std::filesystem::path& folder, Fig
 void forget_lights(const std::filesystem::path& folder);
 
 /// The number of lights that are kept.
-int kept_lights(const std::filesystem::path& folder, const std::string& key);
+int checkpointed_lights(const std::filesystem::path& folder, const std::string& key);
 
 }  // namespace lumaknot

@@ -70,19 +70,18 @@ FigurePicture picture_of(const Validation& validation, std::size_t shot) {
                             .outcome = {},
                             .why = {},
                             .note = {}});
-  for (const RendererResult& judgement : validation.judgements) {
-    picture.images.push_back(
-        their_image(name, judgement.rendering.renderer, judgement.shots[shot]));
+  for (const RendererResult& result : validation.results) {
+    picture.images.push_back(their_image(name, result.rendering.renderer, result.shots[shot]));
   }
   return picture;
 }
 
-FigureRenderer renderer_of(const RendererResult& judgement) {
-  const Rendering& r = judgement.rendering;
+FigureRenderer renderer_of(const RendererResult& result) {
+  const Rendering& r = result.rendering;
   return {.name = r.renderer,
           .version = r.version,
           .seconds = r.seconds,
-          .missing = judgement.drew_any() ? "" : judgement.shots.front().drawn.why};
+          .missing = result.drew_any() ? "" : result.shots.front().drawn.why};
 }
 
 /// A renderer's results for both lights.
@@ -119,8 +118,8 @@ LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Pro
     if (validation.shots[i].stage != Stage::kFinal) continue;
     result.pictures.push_back(picture_of(validation, i));
   }
-  for (const RendererResult& judgement : validation.judgements) {
-    result.renderers.push_back(renderer_of(judgement));
+  for (const RendererResult& of_one : validation.results) {
+    result.renderers.push_back(renderer_of(of_one));
   }
   return result;
 }

@@ -253,7 +253,7 @@ std::vector<PaperClaim> formula_claims(const PaperScenes& scenes) {
   blue.z = (dot(weights, red) - dot(weights, blue)) / weights.z;  // of the same luma
   return {eq1_claim(points),
           delimited_claim(points),
-          eq2_claim(points, scene.view.material.shininess),
+          eq2_claim(points, scene.view.material.parameters["shininess"]),
           rgb_brightness_claim(texture, phong.without),
           grey_added_claim(phong),
           luma_claim(m.from_rgb.rows[0]),

@@ -83,7 +83,7 @@ int declared_twice(std::string_view text) {
 
 /// Where the surface faces away from the light and the highlight of exponent `power` shows.
 Ungated ungated(const PaperScenes& scenes, Scene scene, const std::string& name, double power) {
-  scene.view.material.shininess = power;
+  scene.view.material.parameters["shininess"] = power;
   const Marks dark = marked(stage_picture(scenes, scene, Stage::kDiffuse),
                             [](double light) { return light <= 0; });
   const Marks shiny = marked(stage_picture(scenes, scene, Stage::kSpecular),
@@ -104,7 +104,7 @@ std::vector<Ungated> all_ungated(const PaperScenes& scenes) {
 SliderPictures slider_pictures(const PaperScenes& scenes) {
   const auto at = [&](double power) {
     Material material = formula_of(scenes.front, "yiq-table1");
-    material.shininess = power;
+    material.parameters["shininess"] = power;
     return picture(scenes, scenes.front, material);
   };
   return {kSliderMost, kDefaultPower, at(kSliderMost), at(kDefaultPower)};

@@ -23,7 +23,7 @@ constexpr double kDarkness = 1.5;
 
 Image minnaert_picture(const PaperScenes& scenes, std::string_view formula) {
   Material material = formula_of(scenes.front, formula);
-  material.darkness = kDarkness;
+  material.parameters["darkness"] = kDarkness;
   material.specular = 0;
   return picture(scenes, scenes.front, material);
 }

@@ -87,8 +87,8 @@ PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& fo
   return result;
 }
 
-int kept_lights(const PaperJob& job, const std::filesystem::path& folder) {
-  return kept_lights(folder, key_of(job));
+int checkpointed_lights(const PaperJob& job, const std::filesystem::path& folder) {
+  return checkpointed_lights(folder, key_of(job));
 }
 
 }  // namespace lumaknot

@@ -34,7 +34,7 @@ PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& fo
                             const Progress& progress = {});
 
 /// The number of lights whose pictures in `folder` reproduce_paper() would not draw again.
-int kept_lights(const PaperJob& job, const std::filesystem::path& folder);
+int checkpointed_lights(const PaperJob& job, const std::filesystem::path& folder);
 
 /// One HTML page that needs nothing else.
 std::string paper_html(const PaperResult& result);

@@ -20,9 +20,9 @@ constexpr double kNoise = 0.5;      // percent by which costs vary between runs
 double percent(double share) { return 100 * share; }
 double cost_of(const PaperRow& row) { return percent(1 - row.yiq / row.classical); }
 double cost_of(const RateRow& row) { return percent(row.costs[kTable1]); }
-Interval costs_of(const RateRow& row) {
-  const Interval& share = row.cost_intervals[kTable1];
-  return {percent(share.low), percent(share.high)};
+Interval<double> costs_of(const RateRow& row) {
+  const Interval<double>& share = row.cost_intervals[kTable1];
+  return {percent(share.min), percent(share.max)};
 }
 double rate_of(const Spread& milliseconds) { return 1000 / milliseconds.median; }
 
@@ -69,19 +69,19 @@ Measure time_note(const Forms& forms, std::string_view formula) {
 
 /// Compared with the paper's costs if the interval of the rows' minimum or maximum, widened by what
 /// runs differ by, is wholly inside or outside them; else a note, and in `claim.beyond` why.
-void add_cost(const std::string& what, double cost, const Interval& of_rows,
+void add_cost(const std::string& what, double cost, const Interval<double>& of_rows,
               const std::pair<double, double>& theirs, PaperClaim& claim) {
   const auto [min, max] = theirs;
-  const Interval interval{of_rows.low - kNoise, of_rows.high + kNoise};
-  const bool inside = interval.low >= min && interval.high <= max;
-  const bool outside = interval.high < min || interval.low > max;
+  const Interval<double> interval{of_rows.min - kNoise, of_rows.max + kNoise};
+  const bool inside = interval.min >= min && interval.max <= max;
+  const bool outside = interval.max < min || interval.min > max;
   if (inside || outside) {
     claim.measures.push_back(within(what, cost, min, max, "%"));
     return;
   }
   claim.measures.push_back(note(what, cost, "%"));
   claim.beyond += fmt::format("{}Not decided: the {} is from {:.2g} to {:.2g} %.",
-                              claim.beyond.empty() ? "" : " ", what, interval.low, interval.high);
+                              claim.beyond.empty() ? "" : " ", what, interval.min, interval.max);
 }
 
 }  // namespace
@@ -136,8 +136,8 @@ PaperClaim slower_claim(std::span<const RateRow> rows) {
   const auto count = [&](auto is) {
     return double(std::ranges::count_if(rows, [&](const RateRow& r) { return is(costs_of(r)); }));
   };
-  const double slower = count([](const Interval& c) { return c.low > kNoise; }),
-               faster = count([](const Interval& c) { return c.high < -kNoise; });
+  const double slower = count([](const Interval<double>& c) { return c.min > kNoise; }),
+               faster = count([](const Interval<double>& c) { return c.max < -kNoise; });
   const double decided = slower + faster, open = double(rows.size()) - decided;
   PaperClaim claim{
       "slower",
@@ -173,8 +173,8 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
   };
   const auto theirs = range(paper, [](const PaperRow& r) { return cost_of(r); });
   const auto ours = range(rows, [](const RateRow& r) { return cost_of(r); });
-  const auto low = range(rows, [](const RateRow& r) { return costs_of(r).low; }),
-             high = range(rows, [](const RateRow& r) { return costs_of(r).high; });
+  const auto low = range(rows, [](const RateRow& r) { return costs_of(r).min; }),
+             high = range(rows, [](const RateRow& r) { return costs_of(r).max; });
   PaperClaim claim{"cost",
                    kSpeedSection,
                    "YIQ costs 1 % at best and some 30 % at worst.",

@@ -43,14 +43,13 @@ Arrival arrival_of(const View& view, std::size_t i, std::span<const Fragment> se
 }
 
 double max_diffuse(const Material& m) {
-  if (m.model == Model::kMinnaert) return std::pow(1e-4, std::min(m.darkness - 1, 0.0));
-  if (m.model != Model::kOrenNayar) return 1;
-  const double variance = m.roughness * m.roughness;
-  return 1 - 0.5 * variance / (variance + 0.33) + 0.45 * variance / (variance + 0.09);
+  return with_diffuse(m.model, m.parameters,
+                      [](auto term, auto... p) { return term.largest(p...); });
 }
 
 double max_specular(const Material& m) {
-  return m.model == Model::kCookTorrance ? std::numeric_limits<double>::infinity() : 1;
+  return with_highlight(m.model, m.parameters,
+                        [](auto term, auto... p) { return term.largest(p...); });
 }
 
 double sensitivity(const Material& m) {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "scene/angle.h"
-#include "shaders/graph/number.h"
+#include "math/angle.h"
+#include "math/number.h"
 
 namespace lumaknot {
 namespace {

@@ -5,35 +5,25 @@
 #include <limits>
 #include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/deviation.h"
 #include "meshgen/knot_mesh.h"
 #include "meshgen/sharpest_bend.h"
 #include "render/fast/renderer.h"
 #include "render/projection.h"
-#include "scene/angle.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr double kRounding = 0x1p-24;  // of float, relative
 
-/// The largest change of cos^k per radian of its angle.
-double slope_of_power(double k) { return k <= 1 ? 1 : std::sqrt(k / std::numbers::e) + 0.1; }
-
-/// Lambert's or Minnaert's largest value; empty for Oren-Nayar.
+/// The largest change of a term per radian that the normal turns.
 std::optional<double> diffuse_slope(const Material& m) {
-  if (m.model == Model::kOrenNayar) return {};
-  if (m.model != Model::kMinnaert) return 1;
-  if (m.darkness < 1) return {};
-  return 2 * m.darkness - 1;
+  return with_diffuse(m.model, m.parameters, [](auto term, auto... p) { return term.slope(p...); });
 }
-
-/// How many times as fast as the normal the highlight's angle changes.
-double highlight_turn(const Material& m) { return m.model == Model::kBlinnPhong ? 1 : 2; }
-
 std::optional<double> specular_slope(const Material& m) {
-  if (m.model == Model::kCookTorrance) return {};
-  return highlight_turn(m) * slope_of_power(m.shininess);
+  return with_highlight(m.model, m.parameters,
+                        [](auto term, auto... p) { return term.slope(p...); });
 }
 
 double max_speed(const Spine& spine) {
@@ -101,25 +91,17 @@ std::optional<double> Predictor::per_pixel(double normal_turn, double offset) co
   return std::min(turn * *change + weakening, all);
 }
 
-/// A term's error between vertices: alpha^2 / 8 times its second derivative; where it sets in
-/// sharply, a quarter of the change by its slope over the cell.
 std::optional<double> Predictor::per_vertex(const Method& m) const {
   if (!lights_) return {};
-  if (lights_->diffuse > 0 && material_.model != Model::kPhong &&
-      material_.model != Model::kBlinnPhong && material_.model != Model::kCookTorrance) {
-    return {};
-  }
-  if (lights_->specular > 0 && material_.model == Model::kCookTorrance) return {};
   const double along = kTurn / m.segments * speed_;
   const double around = kTurn / m.sides;
   const double turn =
       std::hypot(around, along * curvature_) +
       std::hypot(along * (1 + knot_.tube_radius * curvature_), around * knot_.tube_radius) /
           nearest_;
-  const double diffuse = std::min(1.0, turn / 4 + turn * turn / 8);
-  const double k = material_.shininess, inner = highlight_turn(material_) * turn;
-  const double specular = k < 2 ? 1 : std::min(1.0, k * inner * inner / 8);
-  return lights_->diffuse * diffuse + lights_->specular * specular;
+  const auto error = [turn](auto term, auto... p) { return term.interpolation_error(turn, p...); };
+  return sum_of(lights_->diffuse, with_diffuse(material_.model, material_.parameters, error),
+                lights_->specular, with_highlight(material_.model, material_.parameters, error));
 }
 
 /// A weighted mean of texels is within their contrast of another. The reference's own filter at a
@@ -146,8 +128,10 @@ PredictedError Predictor::of(const Method& m) const {
   constexpr double kRoundings = 32;  // from the vertices to the colour
   const double own = m.number == Number::kFloat ? kRounding : kRounding * kRounding;
   const double diffuse = ambient_ + (lights_ ? lights_->diffuse : 0);
-  const double light =
-      1 + emissive_ + diffuse + (lights_ ? lights_->specular * material_.shininess : 0);
+  const double growth =
+      with_highlight(material_.model, material_.parameters,
+                     [](auto term, auto... p) { return term.rounding_growth(p...); });
+  const double light = 1 + emissive_ + diffuse + (lights_ ? times(lights_->specular, growth) : 0);
   // Texture coordinates are rounded too: a part of a texel is that part of the contrast.
   const double texels = texture_.contrast * std::max(texels_.u, texels_.v) * (1 + diffuse);
   error.precision = own * (kRoundings * light + 4 * texels);

@@ -29,7 +29,7 @@ Json predicted_json(const PredictedError& p) {
           {"precision", p.precision}};
 }
 
-Json judgement_json(const ToleranceResult& j) {
+Json measured_json(const ToleranceResult& j) {
   return {{"error", j.error},    {"in_place", j.in_place},       {"mean_in_place", j.mean_in_place},
           {"pixels", j.covered}, {"beyond_in_place", j.shifted}, {"hidden", j.hidden},
           {"failing", j.failing}};
@@ -38,7 +38,7 @@ Json judgement_json(const ToleranceResult& j) {
 Json choice_json(const PlanChoice& c) {
   Json json{{"method", method_name(c.method)},
             {"predicted", predicted_json(c.predicted)},
-            {"measured", judgement_json(c.result)},
+            {"measured", measured_json(c.result)},
             {"met", c.result.met}};
   if (c.milliseconds > 0) json["milliseconds"] = c.milliseconds;
   return json;
@@ -80,7 +80,7 @@ std::string dropped_text(const Plan& plan) {
 }
 
 /// What was needed of the colour and of the place.
-std::string judgement_text(const Plan& plan) {
+std::string result_text(const Plan& plan) {
   const ToleranceResult& j = plan.chosen.result;
   std::string text = fmt::format(
       "  in place {} of {} pixels ({:.3g} %) are beyond {:.2g}: by {:.2g} at most, the mean of all "
@@ -163,7 +163,7 @@ std::string plan_json(const Plan& plan) {
       {"by_shift_alone", {{"pixels", plan.shifted()}, {"share", plan.shifted_share()}}},
       {"parts", parts_json(plan.parts)},
       {"milliseconds", times_json(plan)},
-      {"before_fast", {{"met", plan.fast.met}, {"measured", judgement_json(plan.fast)}}}};
+      {"before_fast", {{"met", plan.fast.met}, {"measured", measured_json(plan.fast)}}}};
   if (const std::string warning = shift_warning(plan); !warning.empty()) json["warning"] = warning;
   for (const Attribution& b : plan.blamed) {
     json["blame"].push_back({{"part", b.part}, {"pixels", b.pixels}});
@@ -180,7 +180,7 @@ std::string plan_json(const Plan& plan) {
 
 std::string plan_text(const Plan& plan) {
   std::string text = plan.met ? "met: " : blame_text(plan);
-  text += method_name(plan.chosen.method) + "\n" + judgement_text(plan) + dropped_text(plan) +
+  text += method_name(plan.chosen.method) + "\n" + result_text(plan) + dropped_text(plan) +
           parts_text(plan) + times_text(plan);
   if (plan.best_of_all) {
     text += fmt::format("\n  {:.2f} times the time of the best of all {} choices, {}",

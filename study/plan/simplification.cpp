@@ -147,8 +147,10 @@ class Listing {
   void simplify_models() {
     const Material& m = simplified_.view.material;
     if (m.model == Model::kPhong) return;
-    const bool own_diffuse = m.model == Model::kMinnaert || m.model == Model::kOrenNayar;
-    const bool idle = own_diffuse ? m.diffuse == 0 : m.specular == 0;
+    const bool idle = with_model(m.model, [&]<class M>(M) {
+      return (std::is_same_v<typename M::Diffuse, Phong::Diffuse> || m.diffuse == 0) &&
+             (std::is_same_v<typename M::Highlight, Phong::Highlight> || m.specular == 0);
+    });
     add(fmt::format("{} as phong", kModelNames[std::size_t(m.model)]), idle ? 0 : kNone,
         [](SimplifiedScene& simplified) { simplified.view.material.model = Model::kPhong; });
   }

@@ -3,7 +3,7 @@
 #include <array>
 #include <numbers>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 #include "scene/fields.h"
 #include "shaders/spaces/matrix3.h"
 #include "study/stability/regions.h"

@@ -1,10 +1,10 @@
 #include "study/stability/energy.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace lumaknot {
 
@@ -43,37 +43,49 @@ Energy energy_of(std::string name, const Term& term) {
 
 namespace {
 
-Energy diffuse(std::string name, Model model, const ModelNumbers<double>& numbers) {
-  return energy_of(std::move(name),
-                   [=](const Directions<double>& d) { return diffuse_term(model, d, numbers); });
+/// A line of the table that is still to be computed.
+struct Row {
+  std::string_view name;
+  Term term;
+  std::size_t group, sample;
+};
+
+/// Adds the samples of the term T, unless another model has already.
+template <class T>
+void add_rows(std::vector<Row>& rows, std::vector<std::vector<std::string_view>>& groups, T) {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : T::kParameters) names.push_back(p.name);
+  const auto group = std::ranges::find(groups, names);
+  const std::size_t index(group - groups.begin());
+  if (group == groups.end()) groups.push_back(names);
+  for (std::size_t i = 0; i < T::kEnergySamples.size(); ++i) {
+    const auto& sample = T::kEnergySamples[i];
+    if (std::ranges::count(rows, sample.name, &Row::name) > 0) continue;
+    const Term term = [&sample](const Directions<double>& d) {
+      return std::apply([&d](const auto&... p) { return T::value(d, p...); }, sample.numbers);
+    };
+    rows.push_back({sample.name, term, index, i});
+  }
 }
 
-Energy specular(std::string name, Model model, const ModelNumbers<double>& numbers) {
-  return energy_of(std::move(name),
-                   [=](const Directions<double>& d) { return specular_term(model, d, numbers); });
+void add_energies(std::vector<Energy>& all, std::vector<Row> rows) {
+  std::ranges::stable_sort(rows, {},
+                           [](const Row& row) { return std::pair(row.group, row.sample); });
+  for (const Row& row : rows) all.push_back(energy_of(std::string(row.name), row.term));
 }
 
 }  // namespace
 
 std::vector<Energy> energies() {
+  std::vector<Row> diffuse, highlights;
+  std::vector<std::vector<std::string_view>> diffuse_groups, highlight_groups;
+  for_each_model([&]<class M>(M) {
+    add_rows(diffuse, diffuse_groups, typename M::Diffuse{});
+    add_rows(highlights, highlight_groups, typename M::Highlight{});
+  });
   std::vector<Energy> all;
-  all.push_back(diffuse("Lambert", Model::kPhong, {}));
-  for (const double k : {0.25, 1.0, 2.0}) {
-    all.push_back(diffuse(fmt::format("Minnaert, k = {}", k), Model::kMinnaert, {.darkness = k}));
-  }
-  for (const double sigma : {0.3, 1.57}) {
-    all.push_back(diffuse(fmt::format("Oren-Nayar, sigma = {}", sigma), Model::kOrenNayar,
-                          {.roughness = sigma}));
-  }
-  for (const double k : {1.0, 10.0, 55.0}) {
-    const ModelNumbers<double> numbers{.shininess = k};
-    all.push_back(specular(fmt::format("Phong, k = {}", k), Model::kPhong, numbers));
-    all.push_back(specular(fmt::format("Blinn-Phong, k = {}", k), Model::kBlinnPhong, numbers));
-  }
-  for (const double roughness : {0.3, 0.6, 1.0}) {
-    all.push_back(specular(fmt::format("Cook-Torrance, roughness {}, F0 = 1", roughness),
-                           Model::kCookTorrance, {.roughness = roughness, .reflectance = 1}));
-  }
+  add_energies(all, std::move(diffuse));
+  add_energies(all, std::move(highlights));
   return all;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shaders/formulas/models.h"
+#include "models/registry.h"
 
 namespace lumaknot {
 
@@ -29,8 +29,8 @@ struct Energy {
 /// The largest share that `term`, called `name`, reflects.
 Energy energy_of(std::string name, const Term& term);
 
-/// Every model's diffuse and specular term, with the numbers of the default material and at their
-/// limits.
+/// The models' diffuse terms, then their highlights, for the numbers that each lists. Terms that
+/// read the same numbers stand side by side, number by number.
 std::vector<Energy> energies();
 
 }  // namespace lumaknot

@@ -1,7 +1,7 @@
 // Models that reflect more light than they get.
 #include <algorithm>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 #include "study/stability/energy.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
@@ -29,8 +29,11 @@ Image draw_furnace(const Term& term, int side, double max = 90) {
 
 Term specular(Model model, double shininess) {
   return [=](const Directions<double>& d) {
-    return specular_term(
-        model, d, ModelNumbers<double>{.shininess = shininess, .roughness = 0.6, .reflectance = 1});
+    return specular_term(model, d,
+                         ModelParameters<double>()
+                             .with("shininess", shininess)
+                             .with("roughness", 0.6)
+                             .with("reflectance", 1));
   };
 }
 
@@ -71,7 +74,7 @@ Region flat_light(std::string name, std::string method, Model model) {
 
 Term minnaert(double darkness) {
   return [=](const Directions<double>& d) {
-    return diffuse_term(Model::kMinnaert, d, ModelNumbers<double>{.darkness = darkness});
+    return diffuse_term(Model::kMinnaert, d, ModelParameters<double>().with("darkness", darkness));
   };
 }
 
@@ -94,7 +97,7 @@ Region minnaert_energy() {
 
 Term lambert_and_phong(double diffuse, double weight) {
   return [=](const Directions<double>& d) {
-    const ModelNumbers<double> numbers{.shininess = 10};
+    const auto numbers = ModelParameters<double>().with("shininess", 10);
     return diffuse * diffuse_term(Model::kPhong, d, numbers) +
            weight * specular_term(Model::kPhong, d, numbers);
   };

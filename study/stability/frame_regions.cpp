@@ -1,8 +1,8 @@
 // The orientation of rings along the centre line.
 #include <limits>
 
+#include "math/angle.h"
 #include "meshgen/frames.h"
-#include "scene/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 #include "system/error.h"
@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Spine spine_of(const KnotSpec& knot) { return Spine(components(knot).front()); }
 
-std::vector<Frame> frames_of(const KnotSpec& knot) {
+std::vector<RingFrame> frames_of(const KnotSpec& knot) {
   const Spine spine = spine_of(knot);
   return ring_frames(spine, knot.frames, spine.arc_lengths(knot.segments));
 }
@@ -23,7 +23,7 @@ std::vector<Frame> frames_of(const KnotSpec& knot) {
 /// The largest turn of a frame about the centre line to the next ring, in degrees; infinite if the
 /// rule leaves it undefined.
 double largest_turn(const KnotSpec& knot) try {
-  const std::vector<Frame> frames = frames_of(knot);
+  const std::vector<RingFrame> frames = frames_of(knot);
   double largest = 0;
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
     largest = std::max(largest, std::abs(twist({frames[i], frames[i + 1]})) * kDegrees);
@@ -104,16 +104,16 @@ Region fixed_up_vertical() {
   return region;
 }
 
-Frame turned(const Frame& f, double angle) {
+RingFrame turned(const RingFrame& f, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {f.position, f.tangent, f.normal * c + f.binormal * s, f.binormal * c - f.normal * s};
 }
 
 /// The knot's frames without what closes the loop: each turned back by its share of the twist.
-std::vector<Frame> unclosed_frames(const KnotSpec& knot) {
+std::vector<RingFrame> unclosed_frames(const KnotSpec& knot) {
   const Spine spine = spine_of(knot);
   const std::vector<double> arc_lengths = spine.arc_lengths(knot.segments);
-  std::vector<Frame> frames = spine.frames(arc_lengths);
+  std::vector<RingFrame> frames = spine.frames(arc_lengths);
   const double all = twist(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i] = turned(frames[i], all * arc_lengths[i] / spine.length());
@@ -122,13 +122,13 @@ std::vector<Frame> unclosed_frames(const KnotSpec& knot) {
 }
 
 /// The angle between the first frame and the last, which are at one place, in degrees.
-double gap(const std::vector<Frame>& frames) {
-  const Frame &a = frames.front(), &b = frames.back();
+double gap(const std::vector<RingFrame>& frames) {
+  const RingFrame &a = frames.front(), &b = frames.back();
   return std::abs(std::atan2(dot(b.normal, a.binormal), dot(b.normal, a.normal))) * kDegrees;
 }
 
 /// A tube with given frames, seen where its ends meet.
-Image draw_seam(const std::vector<Frame>& frames, int side) {
+Image draw_seam(const std::vector<RingFrame>& frames, int side) {
   Scene scene = knot_scene(Material{});
   scene.mesh = tube_of(frames, 0.18, 40);
   scene.view.camera = {.position = {2.6, -0.6, 1.0}, .target = {1.3, 0, 0}, .up = {0, 0, 1}};
@@ -170,7 +170,7 @@ double angle_between(const Vec3d& a, const Vec3d& b) {
 }
 
 /// The largest angle between a ring's plane and the one normal to the centre line, in degrees.
-double largest_tilt(const KnotSpec& knot, const std::vector<Frame>& frames) {
+double largest_tilt(const KnotSpec& knot, const std::vector<RingFrame>& frames) {
   const Curve curve = components(knot).front();
   double largest = 0;
   for (int i = 0; i <= knot.segments; ++i) {
@@ -224,14 +224,14 @@ Region difference_frames() {
 Vec3d in_float(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 /// The exact frames, their rings normal to the difference of two points h apart, in float.
-std::vector<Frame> tilted_frames(const KnotSpec& knot, double h) {
+std::vector<RingFrame> tilted_frames(const KnotSpec& knot, double h) {
   const Curve curve = components(knot).front();
-  std::vector<Frame> frames = frames_of(knot);
+  std::vector<RingFrame> frames = frames_of(knot);
   for (int i = 0; i <= knot.segments; ++i) {
     const double t = ring_parameter(i, knot.segments);
     const Vec3d step =
         in_float(curve_point(curve, t + h).position) - in_float(curve_point(curve, t).position);
-    Frame& frame = frames[std::size_t(i)];
+    RingFrame& frame = frames[std::size_t(i)];
     frame.tangent = normalize(step);
     frame.normal = normalize(frame.normal - frame.tangent * dot(frame.normal, frame.tangent));
     frame.binormal = cross(frame.normal, frame.tangent);

@@ -42,7 +42,7 @@ Region half_power() {
   Region region = in_half(
       [](double shininess) {
         Material m;
-        m.shininess = shininess;
+        m.parameters["shininess"] = shininess;
         m.diffuse = 0;
         Scene scene = knot_scene(m);
         scene.view.ambient = 0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/formulas/models.h"
+#include "shaders/formulas/terms.h"
 
 namespace lumaknot {
 
@@ -24,8 +24,8 @@ double peak_error(double shininess) {
       const Vec3d v = mirror * std::cos(angle) + across * std::sin(angle);
       const Vec<S> ns = constant_vec<S>(n), ls = constant_vec<S>(l);
       const S highlight =
-          phong_highlight<S>({ns, ls, constant_vec<S>(v), dot(ns, ls)}, S(shininess));
-      const double exact = phong_highlight<double>({n, l, v, dot(n, l)}, shininess);
+          PhongHighlight::value<S>({ns, ls, constant_vec<S>(v), dot(ns, ls)}, S(shininess));
+      const double exact = PhongHighlight::value<double>({n, l, v, dot(n, l)}, shininess);
       largest = std::max(largest, std::abs(double(highlight) - exact));
     }
   }

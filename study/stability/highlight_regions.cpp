@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 #include "study/stability/highlight_error.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
@@ -16,7 +16,7 @@ namespace {
 Scene highlight_scene(Model model, double shininess) {
   Material m;
   m.model = model;
-  m.shininess = shininess;
+  m.parameters["shininess"] = shininess;
   m.diffuse = 0;
   Scene scene = knot_scene(m);
   scene.view.ambient = 0;
@@ -31,7 +31,8 @@ Vec3d at_angle(double degrees) {
 /// which is 30 degrees to the same side.
 double highlight_beyond(Model model, double shininess, double degrees) {
   const Vec3d n{0, 0, 1}, l = at_angle(-60), v = at_angle(-30 - degrees);
-  return specular_term<double>(model, {n, l, v, dot(n, l)}, {.shininess = shininess});
+  return specular_term<double>(model, {n, l, v, dot(n, l)},
+                               ModelParameters<double>().with("shininess", shininess));
 }
 
 /// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, before it,
@@ -142,14 +143,14 @@ Region shininess_zero() {
   region.error = [](double k) { return washed(highlight_scene(Model::kPhong, k)); };
   const auto cook_torrance = [](double k) {  // as wide: alpha^2 = 2 / (k + 2)
     Scene scene = highlight_scene(Model::kCookTorrance, k);
-    scene.view.material.roughness = std::pow(2 / (k + 2), 0.25);
+    scene.view.material.parameters["roughness"] = std::pow(2 / (k + 2), 0.25);
     return scene;
   };
   region.guarded = [=](double k) { return washed(cook_torrance(k)); };
   region.sketch = [](double k, int side) { return draw(highlight_scene(Model::kPhong, k), side); };
   region.guarded_sketch = [=](double k, int side) { return draw(cook_torrance(k), side); };
   region.guarded_shows = [=](double k) {
-    return fmt::format("roughness {:.3g}", cook_torrance(k).view.material.roughness);
+    return fmt::format("roughness {:.3g}", cook_torrance(k).view.material.parameters["roughness"]);
   };
   return region;
 }

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/spine.h"
 #include "render/fast/renderer.h"
-#include "scene/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
@@ -117,7 +117,7 @@ Region light_at_eye() {
     return textbook::minnaert(d, float(kDarkness));
   };
   const auto ours = [](const Directions<float>& d) {
-    return minnaert_diffuse(d, float(kDarkness));
+    return MinnaertDiffuse::value(d, float(kDarkness));
   };
   Region region;
   region.name = "light-at-eye";
@@ -247,7 +247,7 @@ Region half_way_opposite() {
 Scene eye_near_line(double distance) {
   Scene scene = knot_scene(Material{});
   const Spine spine(components(sketch_knot()).front());
-  const Frame frame = spine.frame(0.3);
+  const RingFrame frame = spine.frame(0.3);
   const Vec3d eye = frame.position + normalize(frame.position) * distance;
   scene.view.camera = {.position = eye,
                        .target = eye + frame.tangent - normalize(frame.position) * distance * 0.5,

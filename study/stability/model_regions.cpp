@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/angle.h"
+#include "math/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
@@ -37,7 +37,7 @@ template <class Diffuse>
 double oren_nayar_error(double angle, Diffuse diffuse) {
   double largest = 0;
   for (const Vec3<float>& n : normals()) {
-    const double exact = oren_nayar_diffuse(seen_from_above<double>(n, angle), kSigma);
+    const double exact = OrenNayarDiffuse::value(seen_from_above<double>(n, angle), kSigma);
     const double error = std::abs(double(diffuse(seen_from_above<float>(n, angle))) - exact);
     if (!std::isfinite(error)) return error;
     largest = std::max(largest, error);
@@ -59,7 +59,9 @@ Region oren_nayar_above() {
   const auto naive = [](const Directions<float>& d) {
     return textbook::oren_nayar(d, float(kSigma));
   };
-  const auto ours = [](const Directions<float>& d) { return oren_nayar_diffuse(d, float(kSigma)); };
+  const auto ours = [](const Directions<float>& d) {
+    return OrenNayarDiffuse::value(d, float(kSigma));
+  };
   Region region;
   region.name = "oren-nayar-from-above";
   region.group = "Models that divide";
@@ -108,7 +110,7 @@ Region cook_torrance_smooth() {
     return textbook::cook_torrance(d, roughness);
   };
   const auto ours = [](const auto& d, auto roughness) {
-    return cook_torrance_highlight(d, roughness, decltype(roughness)(1));
+    return CookTorranceHighlight::value(d, roughness, decltype(roughness)(1));
   };
   const auto error = [](auto highlight) {
     return [highlight](double roughness) {
@@ -162,7 +164,7 @@ Image draw_grazing(double cosine, int side, Specular specular) {
 
 Region cook_torrance_grazing() {
   const auto ours = [](const Directions<float>& d, float roughness) {
-    return cook_torrance_highlight(d, roughness, 1.0f);
+    return CookTorranceHighlight::value(d, roughness, 1.0f);
   };
   const auto fails = [](auto highlight) {
     return [highlight](double cosine) {

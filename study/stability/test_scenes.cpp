@@ -78,7 +78,7 @@ double largest_difference(const Scene& scene, int side, const FragmentColor& a,
   return largest;
 }
 
-TriangleMesh tube_of(const std::vector<Frame>& frames, double tube_radius, int sides) {
+TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, int sides) {
   TriangleMesh mesh;
   const int rings = int(frames.size()), columns = sides + 1;
   mesh.positions.resize(std::size_t(rings * columns));
@@ -87,7 +87,7 @@ TriangleMesh tube_of(const std::vector<Frame>& frames, double tube_radius, int s
   mesh.triangles.resize(std::size_t(2 * (rings - 1) * sides));
   const KnotSpec tiles = sketch_knot();
   for (int i = 0; i < rings; ++i) {
-    const Frame& frame = frames[std::size_t(i)];
+    const RingFrame& frame = frames[std::size_t(i)];
     for (int j = 0; j < columns; ++j) {
       const double theta = 2 * std::numbers::pi * j / sides;
       const Vec3d out = frame.normal * std::cos(theta) + frame.binormal * std::sin(theta);

@@ -61,6 +61,6 @@ double largest_difference(const Scene& scene, int side, const FragmentColor& a,
                           const FragmentColor& b);
 
 /// A tube of one component with its rings at `frames`; the last is the seam's other side.
-TriangleMesh tube_of(const std::vector<Frame>& frames, double tube_radius, int sides);
+TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, int sides);
 
 }  // namespace lumaknot

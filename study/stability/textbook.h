@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "shaders/formulas/models.h"
+#include "shaders/formulas/terms.h"
 
 namespace lumaknot::textbook {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 #include "shaders/languages/common.h"
 #include "system/atomic_file.h"
 #include "system/process.h"

@@ -9,17 +9,19 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-ALL = ("system", "scene", "meshgen", "shaders", "exporters", "render", "validate", "study", "cli")
+ALL = ("system", "math", "models", "scene", "meshgen", "shaders", "exporters", "render", "validate", "study", "cli")
 
 # A folder, and what it may include besides itself.
 ALLOWED = {
     "system": (),
-    "scene": ("system",),
-    "meshgen": ("system", "scene"),
-    "shaders": ("system", "scene"),
-    "exporters": ("system", "scene", "shaders"),
-    "render": ("system", "scene", "shaders", "meshgen"),
-    "validate": ("system", "scene", "exporters", "render", "shaders"),
+    "math": (),
+    "models": ("math",),
+    "scene": ("system", "math", "models"),
+    "meshgen": ("system", "math", "scene"),
+    "shaders": ("system", "math", "models", "scene"),
+    "exporters": ("system", "math", "models", "scene", "shaders"),
+    "render": ("system", "math", "models", "scene", "shaders", "meshgen"),
+    "validate": ("system", "math", "models", "scene", "exporters", "render", "shaders"),
     "study": tuple(folder for folder in ALL if folder != "cli"),
     "cli": ALL,
     "tests": ALL,
@@ -79,7 +81,7 @@ SISTERS = {
 EVERYTHING = None
 ENTRANCES = {
     "shaders/formulas": EVERYTHING,
-    "shaders/graph": ("blender_nodes", "half", "number", "shader"),
+    "shaders/graph": ("blender_nodes", "half", "shader"),
     "shaders/languages": ("backend", "emit", "functions"),
     "shaders/spaces": EVERYTHING,
     "exporters/blender": ("scene",),

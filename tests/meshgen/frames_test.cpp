@@ -25,8 +25,8 @@ KnotSpec knot_of(int p, int q) {
 
 Spine spine_of(int p, int q) { return Spine(components(knot_of(p, q)).front()); }
 
-std::vector<Frame> frames_of(int p, int q, int segments,
-                             FrameRule rule = FrameRule::kRotationMinimizing) {
+std::vector<RingFrame> frames_of(int p, int q, int segments,
+                                 FrameRule rule = FrameRule::kRotationMinimizing) {
   const Spine spine = spine_of(p, q);
   return ring_frames(spine, rule, spine.arc_lengths(segments));
 }
@@ -37,13 +37,13 @@ constexpr FrameRule kRules[] = {FrameRule::kRotationMinimizing, FrameRule::kDoub
 const std::pair<int, int> kPairs[] = {{2, 3}, {-2, 3}, {2, -3}, {1, 0}, {0, 1}, {5, 2}, {7, 11}};
 
 /// The twist of two neighbours.
-double twist_between(const Frame& a, const Frame& b) { return twist({a, b}); }
+double twist_between(const RingFrame& a, const RingFrame& b) { return twist({a, b}); }
 
 TEST(Frames, are_orthonormal_and_one_handed) {
   for (const auto& [p, q] : kPairs) {
     for (const FrameRule rule : kRules) {
       if (rule == FrameRule::kThree && p == 0) continue;
-      for (const Frame& f : frames_of(p, q, 500, rule)) {
+      for (const RingFrame& f : frames_of(p, q, 500, rule)) {
         ASSERT_NEAR(length(f.tangent), 1, kRounding);
         ASSERT_NEAR(length(f.normal), 1, kRounding);
         ASSERT_NEAR(length(f.binormal), 1, kRounding);
@@ -57,7 +57,7 @@ TEST(Frames, are_orthonormal_and_one_handed) {
 
 TEST(Frames, are_on_the_curve_along_its_tangent) {
   const Curve line = components(knot_of(5, 2)).front();
-  const std::vector<Frame> frames = frames_of(5, 2, 100);
+  const std::vector<RingFrame> frames = frames_of(5, 2, 100);
   ASSERT_EQ(frames.size(), 101u);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const CurvePoint point = curve_point(line, ring_parameter(int(i), 100));
@@ -71,7 +71,7 @@ TEST(Frames, close_to_less_than_a_billionth_of_a_degree) {
   for (int p = -7; p <= 7; ++p) {
     for (int q = -7; q <= 7; ++q) {
       if (std::gcd(p, q) != 1) continue;
-      const std::vector<Frame> frames = frames_of(p, q, 200);
+      const std::vector<RingFrame> frames = frames_of(p, q, 200);
       const double error = length(frames.front().normal - frames.back().normal);
       ASSERT_LT(error * 180 / kPi, 1e-9) << p << "," << q;
     }
@@ -81,7 +81,7 @@ TEST(Frames, close_to_less_than_a_billionth_of_a_degree) {
 TEST(Frames, distribute_the_holonomy_evenly_by_arc_length) {
   for (const auto& [p, q] : kPairs) {
     const Spine spine = spine_of(p, q);
-    const std::vector<Frame> frames = frames_of(p, q, 768);
+    const std::vector<RingFrame> frames = frames_of(p, q, 768);
     for (int i = 0; i < 768; ++i) {
       const double way =
           spine.arc_length(ring_parameter(i + 1, 768)) - spine.arc_length(ring_parameter(i, 768));
@@ -103,7 +103,7 @@ TEST(Frames, of_a_plane_circle_do_not_twist_at_all) {
 TEST(Frames, of_double_reflection_converge_to_the_exact_ones_at_order_4) {
   for (const auto& [p, q] : {std::pair{2, 3}, {5, 2}, {3, -4}}) {
     const auto error = [&, p = p, q = q](int segments) {
-      const std::vector<Frame> exact = frames_of(p, q, segments);
+      const std::vector<RingFrame> exact = frames_of(p, q, segments);
       const auto steps = frames_of(p, q, segments, FrameRule::kDoubleReflection);
       double worst = 0;
       for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -161,9 +161,9 @@ TEST(Frames, of_three_are_tilted_and_twist_by_known_amounts) {
   const auto tilt = [&](int p, int q) {
     double worst = 0;
     const Spine s = spine(p, q);
-    const std::vector<Frame> frames = three_frames(s);
+    const std::vector<RingFrame> frames = three_frames(s);
     for (int i = 0; i < 4000; ++i) {
-      const Frame& f = frames[std::size_t(i)];
+      const RingFrame& f = frames[std::size_t(i)];
       const Vec3d tangent = normalize(curve_point(s.curve(), ring_parameter(i, 4000)).first);
       worst = std::max(worst, std::asin(length(cross(cross(f.binormal, f.normal), tangent))));
     }

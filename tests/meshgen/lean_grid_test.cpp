@@ -47,10 +47,10 @@ class Refusal {
 
  private:
   bool strip_refuses(int i, int segments, int sides) const {
-    const Frame a = surface_.spine().frame(ring_parameter(i, segments));
-    const Frame b = surface_.spine().frame(ring_parameter(i + 1, segments));
+    const RingFrame a = surface_.spine().frame(ring_parameter(i, segments));
+    const RingFrame b = surface_.spine().frame(ring_parameter(i + 1, segments));
     const double t = ring_parameter(i, segments), h = 2 * kPi / segments;
-    const auto vertex = [&](const Frame& frame, int j) {
+    const auto vertex = [&](const RingFrame& frame, int j) {
       const double theta = 2 * kPi * j / sides, r = surface_.tube_radius();
       return frame.position +
              (frame.normal * std::cos(theta) + frame.binormal * std::sin(theta)) * r;

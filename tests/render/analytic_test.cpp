@@ -14,7 +14,7 @@ Scene plane_scene() {
   scene.view.camera = {.position = {0.5, -2, 3}, .target = {0, 0, 0}, .fov_degrees = 40};
   scene.view.lights = {PointLight{{-1, 1.5, 2}, {}, {}}};
   scene.view.ambient = 0.125;
-  scene.view.material.shininess = 7;
+  scene.view.material.parameters["shininess"] = 7;
   scene.view.material.diffuse = 0.75;
   scene.view.material.specular = 0.5;
   scene.view.image = {kWidth, kHeight, 1};
@@ -35,7 +35,7 @@ PlaneTerms plane_terms(const Scene& scene, const Vec3d& ground) {
   const Vec3d light = normalize(lamp(scene) - ground);
   const Vec3d eye = normalize(scene.view.camera.position - ground);
   const double cosine = std::max(0.0, eye.z * light.z - eye.x * light.x - eye.y * light.y);
-  return {light.z, std::pow(cosine, scene.view.material.shininess)};
+  return {light.z, std::pow(cosine, scene.view.material.parameters["shininess"])};
 }
 
 template <class Expect>

@@ -64,7 +64,7 @@ Scene needing_all(const Scene& knot, const std::string& formula) {
   Material m;
   m.diffuse = 0.75;
   m.specular = 0.5;
-  m.darkness = 1.5;
+  m.parameters["darkness"] = 1.5;
   m.emissive = {0.02, 0.01, 0.03};
   scene.view.material = *with_formula(m, formula);
   if (scene.view.material.space != Space::kRgb) scene.view.material.luma_offset = -0.05;

@@ -30,7 +30,7 @@ TEST(CheckInteger, accepts_the_ends_of_its_range_and_nothing_beyond) {
 }
 
 TEST(CheckNumber, distinguishes_open_ends_from_closed_ones) {
-  const Bound closed{.min = 0, .max = 1},
+  const Interval<double> closed{.min = 0, .max = 1},
       open{.min = 0, .max = 1, .open_min = true, .open_max = true};
   EXPECT_NO_THROW(check_number("x", 0, closed));
   EXPECT_NO_THROW(check_number("x", 1, closed));

@@ -15,10 +15,10 @@ namespace {
 /// A material in which no number is a default.
 Material unusual_numbers() {
   Material m;
-  m.shininess = 7;
-  m.roughness = 0.6;
-  m.reflectance = 0.5;
-  m.darkness = 1.5;
+  m.parameters["shininess"] = 7;
+  m.parameters["roughness"] = 0.6;
+  m.parameters["reflectance"] = 0.5;
+  m.parameters["darkness"] = 1.5;
   m.diffuse = 0.25;
   m.specular = 0.75;
   m.ambient_color = {0.1, 0.2, 0.3};

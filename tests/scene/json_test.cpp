@@ -18,10 +18,10 @@ Material unusual_material() {
   m.model = Model::kOrenNayar;
   m.space = Space::kYuv709;
   m.form = Form::kCollapsed;
-  m.shininess = 13.5;
-  m.roughness = 0.45;
-  m.reflectance = 0.035;
-  m.darkness = 1.25;
+  m.parameters["shininess"] = 13.5;
+  m.parameters["roughness"] = 0.45;
+  m.parameters["reflectance"] = 0.035;
+  m.parameters["darkness"] = 1.25;
   m.diffuse = 0.9;
   m.specular = 0.7;
   m.ambient_color = {0.11, 0.12, 0.13};
@@ -106,8 +106,8 @@ TEST(SceneJson, file_names_come_back_as_written) {
 TEST(SceneJson, doubles_survive_to_the_last_bit) {
   for (const double value : {0.1 + 0.2, 1.0 / 3.0, 1e-310, 5e-324, 1.7976931348623157e308}) {
     SceneSpec scene;
-    scene.view.material.shininess = value;
-    EXPECT_EQ(read(scene_to_json(scene)).view.material.shininess, value);
+    scene.view.material.parameters["shininess"] = value;
+    EXPECT_EQ(read(scene_to_json(scene)).view.material.parameters["shininess"], value);
   }
 }
 
@@ -136,10 +136,10 @@ TEST(SceneJson, every_field_of_an_unusual_scene_comes_back) {
 
 TEST(SceneJson, every_number_and_colour_of_an_unusual_material_comes_back) {
   const Material m = read(scene_to_json(unusual_scene())).view.material;
-  EXPECT_EQ(m.shininess, 13.5);
-  EXPECT_EQ(m.roughness, 0.45);
-  EXPECT_EQ(m.reflectance, 0.035);
-  EXPECT_EQ(m.darkness, 1.25);
+  EXPECT_EQ(m.parameters["shininess"], 13.5);
+  EXPECT_EQ(m.parameters["roughness"], 0.45);
+  EXPECT_EQ(m.parameters["reflectance"], 0.035);
+  EXPECT_EQ(m.parameters["darkness"], 1.25);
   EXPECT_EQ(m.diffuse, 0.9);
   EXPECT_EQ(m.specular, 0.7);
   EXPECT_EQ(m.ambient_color, (Vec3d{0.11, 0.12, 0.13}));
@@ -204,8 +204,8 @@ TEST(SceneJson, defaults_are_the_paper_s_grid_and_picture) {
   EXPECT_EQ(knot.segments, 768);  // the one solution of (a+1)(b+1) = 31529, 2ab = 61440
   EXPECT_EQ(knot.sides, 40);
   EXPECT_TRUE(std::holds_alternative<Bricks>(scene.texture));
-  EXPECT_EQ(scene.view.ambient, 0.1);              // AmbientValue of Table 1
-  EXPECT_EQ(scene.view.material.shininess, 55.0);  // SpecularPower of Table 1
+  EXPECT_EQ(scene.view.ambient, 0.1);                            // AmbientValue of Table 1
+  EXPECT_EQ(scene.view.material.parameters["shininess"], 55.0);  // SpecularPower of Table 1
   EXPECT_EQ(scene.view.image.width, 720);
   EXPECT_EQ(scene.view.image.height, 720);
 }

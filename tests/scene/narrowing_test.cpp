@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 namespace {

@@ -90,7 +90,7 @@ TEST(Presets, yiq_table1_is_the_listing) {
   EXPECT_EQ(m.luma_offset, -0.1);
   EXPECT_EQ(m.clamp, Clamp::kTable1);
   EXPECT_EQ(m.normal, NormalUse::kInterpolated);
-  EXPECT_EQ(m.shininess, 55);
+  EXPECT_EQ(m.parameters["shininess"], 55);
 }
 
 }  // namespace

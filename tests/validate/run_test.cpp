@@ -53,9 +53,9 @@ TEST(RendererEntries, make_the_renderers_of_their_names) {
 TEST(Validate, without_any_renderer_there_is_nothing_to_compare) {
   const Validation v = validate_with("/nonexistent/povray", {});
   EXPECT_EQ(v.verdict, Verdict::kNothingToCompare);
-  ASSERT_EQ(v.judgements.size(), 5u) << "cycles, povray, eevee, gl, vulkan";
-  for (const RendererResult& judgement : v.judgements) {
-    for (const Judged& shot : judgement.shots) {
+  ASSERT_EQ(v.results.size(), 5u) << "cycles, povray, eevee, gl, vulkan";
+  for (const RendererResult& result : v.results) {
+    for (const Judged& shot : result.shots) {
       EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kSkipped);
       EXPECT_THAT(shot.drawn.why, HasSubstr(" not found; ")) << "the reason and the remedy";
     }
@@ -66,7 +66,7 @@ TEST(Validate, does_not_believe_a_program_that_ends_well_and_draws_nothing) {
   const PrivateFolder folder;
   const Validation v = validate_with(script(folder, "povray", "exit 0"), {"povray"});
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
-  EXPECT_EQ(v.judgements.at(0).shots.at(0).drawn.status, RenderedShot::Status::kFailed);
+  EXPECT_EQ(v.results.at(0).shots.at(0).drawn.status, RenderedShot::Status::kFailed);
 }
 
 TEST(Validate, tells_the_last_line_of_a_program_that_fails) {
@@ -74,14 +74,14 @@ TEST(Validate, tells_the_last_line_of_a_program_that_fails) {
   const Validation v = validate_with(
       script(folder, "povray", "echo first; echo 'out of wool' >&2; exit 4"), {"povray"});
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
-  EXPECT_THAT(v.judgements.at(0).shots.at(0).drawn.why, HasSubstr("exit code 4: out of wool"));
+  EXPECT_THAT(v.results.at(0).shots.at(0).drawn.why, HasSubstr("exit code 4: out of wool"));
 }
 
 TEST(Validate, kills_a_program_that_does_not_end) {
   const PrivateFolder folder;
   const Validation v = validate_with(script(folder, "povray", "sleep 600"), {"povray"}, 0.3);
   EXPECT_EQ(v.verdict, Verdict::kDiffered);
-  EXPECT_THAT(v.judgements.at(0).shots.at(0).drawn.why, HasSubstr("time limit"));
+  EXPECT_THAT(v.results.at(0).shots.at(0).drawn.why, HasSubstr("time limit"));
 }
 
 TEST(DrawnImage, is_believed_only_when_it_decodes_fits_and_shows_something) {

@@ -24,7 +24,7 @@ std::string report_html(const Validation& validation, const ReportHead& head);
 std::string_view outcome(const Judged& shot);
 
 /// The same for the coverage rung.
-std::string_view coverage_outcome(const RendererResult& judgement);
+std::string_view coverage_outcome(const RendererResult& result);
 
 /// "agreed", "differed" or "nothing to compare".
 std::string_view verdict_name(Verdict verdict);

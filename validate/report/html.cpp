@@ -73,8 +73,8 @@ Data claims_data(const Shot& shot, const std::string& renderer, const Claims& cl
 }
 
 Data renderers_data(const Validation& v) {
-  return page_list(v.judgements, [](const RendererResult& judgement) {
-    const Rendering& r = judgement.rendering;
+  return page_list(v.results, [](const RendererResult& result) {
+    const Rendering& r = result.rendering;
     Data row;
     row.set("name", r.renderer);
     row.set("version", r.version.empty() ? "not run" : r.version);
@@ -85,28 +85,28 @@ Data renderers_data(const Validation& v) {
   });
 }
 
-Data coverage_row(const RendererResult& judgement) {
+Data coverage_row(const RendererResult& result) {
   Data row;
   row.set("shot", "coverage");
-  row.set("renderer", judgement.rendering.renderer);
-  row.set("outcome", std::string(coverage_outcome(judgement)));
-  row.set("drawn", judgement.drew_any());
-  row.set("coverage", fmt::format("{} of {}", judgement.coverage_differs,
-                                  judgement.shots.front().comparison.covered));
-  if (judgement.coverage_differs > 0) {
+  row.set("renderer", result.rendering.renderer);
+  row.set("outcome", std::string(coverage_outcome(result)));
+  row.set("drawn", result.drew_any());
+  row.set("coverage", fmt::format("{} of {}", result.coverage_differs,
+                                  result.shots.front().comparison.covered));
+  if (result.coverage_differs > 0) {
     row.set("details", fmt::format("{} where an edge passes by the sample, {} unexplained",
-                                   judgement.coverage_differs - judgement.coverage_unexplained,
-                                   judgement.coverage_unexplained));
+                                   result.coverage_differs - result.coverage_unexplained,
+                                   result.coverage_unexplained));
   }
   return row;
 }
 
 Data comparison_rows(const Validation& v) {
   Data list(Data::type::list);
-  for (const RendererResult& judgement : v.judgements) list.push_back(coverage_row(judgement));
+  for (const RendererResult& result : v.results) list.push_back(coverage_row(result));
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    for (const RendererResult& judgement : v.judgements) {
-      list.push_back(row_data(v.shots[s], judgement.rendering.renderer, judgement.shots[s]));
+    for (const RendererResult& result : v.results) {
+      list.push_back(row_data(v.shots[s], result.rendering.renderer, result.shots[s]));
     }
   }
   return list;
@@ -117,10 +117,10 @@ Data claims_rows(const Validation& v) {
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     if (v.shots[s].stage != Stage::kFinal) continue;
     list.push_back(claims_data(v.shots[s], v.own.renderer, v.own_claims[s]));
-    for (const RendererResult& judgement : v.judgements) {
-      const Judged& judged = judgement.shots[s];
+    for (const RendererResult& result : v.results) {
+      const Judged& judged = result.shots[s];
       if (judged.drawn.status != RenderedShot::Status::kDrawn) continue;
-      list.push_back(claims_data(v.shots[s], judgement.rendering.renderer, judged.claims));
+      list.push_back(claims_data(v.shots[s], result.rendering.renderer, judged.claims));
     }
   }
   return list;
@@ -128,7 +128,7 @@ Data claims_rows(const Validation& v) {
 
 /// The style class of our picture behind a renderer's.
 std::string ours_key(const Validation& v, std::size_t shot, std::size_t renderer) {
-  const bool instead = !v.judgements[renderer].shots[shot].pictures.ours_instead.empty();
+  const bool instead = !v.results[renderer].shots[shot].pictures.ours_instead.empty();
   return instead ? fmt::format("{}-{}", v.shots[shot].name, renderer) : v.shots[shot].name;
 }
 
@@ -142,8 +142,8 @@ Data own_pictures(const Validation& v) {
   };
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     add(v.shots[s].name, v.own_pictures[s]);
-    for (std::size_t r = 0; r < v.judgements.size(); ++r) {
-      const std::string& instead = v.judgements[r].shots[s].pictures.ours_instead;
+    for (std::size_t r = 0; r < v.results.size(); ++r) {
+      const std::string& instead = v.results[r].shots[s].pictures.ours_instead;
       if (!instead.empty()) add(ours_key(v, s, r), instead);
     }
   }
@@ -151,9 +151,9 @@ Data own_pictures(const Validation& v) {
 }
 
 Data card_data(const Validation& v, std::size_t s, std::size_t r) {
-  const Judged& judged = v.judgements[r].shots[s];
+  const Judged& judged = v.results[r].shots[s];
   Data card;
-  card.set("renderer", v.judgements[r].rendering.renderer);
+  card.set("renderer", v.results[r].rendering.renderer);
   card.set("outcome", std::string(outcome(judged)));
   card.set("why", judged.drawn.why);
   card.set("ours_key", ours_key(v, s, r));
@@ -170,7 +170,7 @@ Data shots_data(const Validation& v) {
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
     const bool final = v.shots[s].stage == Stage::kFinal;
     Data shot, cards(Data::type::list);
-    for (std::size_t r = 0; r < v.judgements.size(); ++r) cards.push_back(card_data(v, s, r));
+    for (std::size_t r = 0; r < v.results.size(); ++r) cards.push_back(card_data(v, s, r));
     shot.set("key", v.shots[s].name);
     shot.set("title", final ? v.shots[s].name : v.shots[s].name + " alone");
     shot.set("cards", cards);
@@ -193,7 +193,7 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   page.set("seconds", fmt::format("{:.1f}", v.seconds));
   page.set("width", std::to_string(v.own.shots.front().image.width));
   page.set("height", std::to_string(v.own.shots.front().image.height));
-  page.set("columns", std::to_string(v.judgements.size() + 1));
+  page.set("columns", std::to_string(v.results.size() + 1));
   page.set("own_version", v.own.version);
   page.set("own_seconds", fmt::format("{:.2f}", v.own.seconds));
   page.set("renderers", renderers_data(v));

@@ -73,15 +73,15 @@ Json limits_json(const Limits& l) {
           {"reason", l.reason}};
 }
 
-Json first_difference_json(const RendererResult& judgement) {
-  return judgement.first_difference.empty() ? Json() : Json(judgement.first_difference);
+Json first_difference_json(const RendererResult& result) {
+  return result.first_difference.empty() ? Json() : Json(result.first_difference);
 }
 
-Json renderer_json(const Validation& validation, const RendererResult& judgement) {
-  const Rendering& r = judgement.rendering;
+Json renderer_json(const Validation& validation, const RendererResult& result) {
+  const Rendering& r = result.rendering;
   Json shots = Json::array();
-  for (std::size_t i = 0; i < judgement.shots.size(); ++i) {
-    shots.push_back(shot_json(validation.shots[i], judgement.shots[i]));
+  for (std::size_t i = 0; i < result.shots.size(); ++i) {
+    shots.push_back(shot_json(validation.shots[i], result.shots[i]));
   }
   return {{"renderer", r.renderer},
           {"version", r.version},
@@ -90,10 +90,10 @@ Json renderer_json(const Validation& validation, const RendererResult& judgement
           {"compared_limited_to_0_1", r.limited},
           {"limits", limits_json(renderer_entry(r.renderer).limits)},
           {"coverage",
-           {{"outcome", coverage_outcome(judgement)},
-            {"coverage_differs", judgement.coverage_differs},
-            {"unexplained", judgement.coverage_unexplained}}},
-          {"first_difference", first_difference_json(judgement)},
+           {{"outcome", coverage_outcome(result)},
+            {"coverage_differs", result.coverage_differs},
+            {"unexplained", result.coverage_unexplained}}},
+          {"first_difference", first_difference_json(result)},
           {"shots", shots}};
 }
 
@@ -117,9 +117,9 @@ std::string_view outcome(const Judged& shot) {
   return shot.comparison.agrees() ? "agreed" : "differed";
 }
 
-std::string_view coverage_outcome(const RendererResult& judgement) {
-  if (!judgement.drew_any()) return outcome(judgement.shots.front());
-  return judgement.coverage_unexplained == 0 ? "agreed" : "differed";
+std::string_view coverage_outcome(const RendererResult& result) {
+  if (!result.drew_any()) return outcome(result.shots.front());
+  return result.coverage_unexplained == 0 ? "agreed" : "differed";
 }
 
 std::string_view verdict_name(Verdict verdict) {
@@ -130,9 +130,9 @@ std::string_view verdict_name(Verdict verdict) {
 std::string report_json(const Validation& validation, const ReportHead& head) {
   double slowest = 0;
   Json renderers = Json::array();
-  for (const RendererResult& judgement : validation.judgements) {
-    slowest = std::max(slowest, judgement.rendering.seconds);
-    renderers.push_back(renderer_json(validation, judgement));
+  for (const RendererResult& result : validation.results) {
+    slowest = std::max(slowest, result.rendering.seconds);
+    renderers.push_back(renderer_json(validation, result));
   }
   const Json json{{"scene", head.scene},
                   {"command", head.command},

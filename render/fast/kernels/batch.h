@@ -28,8 +28,7 @@ Lighting<Floats<A>> packed(const Lighting<double>& from) {
                          vec(l.color), S(l.constant), S(l.linear), S(l.quadratic), S(l.cos_outer),
                          S(l.cone_scale)});
   }
-  const ModelNumbers<double>& m = from.model;
-  to.model = {S(m.shininess), S(m.roughness), S(m.reflectance), S(m.darkness)};
+  to.parameters = ModelParameters<S>::from([&](std::size_t i) { return S(from.parameters.at(i)); });
   to.ambient = vec(from.ambient);
   to.diffuse = vec(from.diffuse);
   to.specular = vec(from.specular);
@@ -144,7 +143,7 @@ class ShadingBatch {
     for (Packet& packet : std::span(packets_, count_)) {
       if (data_.terms.empty()) {
         packet.terms = surface_terms(surface_point(packet), lighting_.eye_position,
-                                     lighting_.lights, lighting_.model, data_.shot.material);
+                                     lighting_.lights, lighting_.parameters, data_.shot.material);
       }
       packet.color = stage_color<S>(packet.color, packet.terms, lighting_, data_.shot);
     }

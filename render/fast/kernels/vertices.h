@@ -79,7 +79,7 @@ void light_vertices(FrameData& data, const Lighting<Floats<A>>& lighting, std::s
     const SurfacePoint<S> point{{S::load(position[0]), S::load(position[1]), S::load(position[2])},
                                 {S::load(normal[0]), S::load(normal[1]), S::load(normal[2])}};
     const Terms<S> sum = surface_terms(point, lighting.eye_position, lighting.lights,
-                                       lighting.model, data.shot.material);
+                                       lighting.parameters, data.shot.material);
     const Vec3<S>&d = sum.diffuse, &s = sum.specular;
     const std::array<S, 6> all{d.x, d.y, d.z, s.x, s.y, s.z};
     for (std::size_t c = 0; c < 6; ++c) all[c].store(terms[c]);

@@ -154,18 +154,18 @@ TEST(GltfScene, roughness_follows_the_highlights_width) {
         .get<double>();
   };
   Material m = testing::material("rgb-blinn-phong");
-  m.shininess = 30;
+  m.parameters["shininess"] = 30;
   EXPECT_NEAR(roughness(m), 0.5, kRounding);  // (2 / 32)^(1/4)
   m = testing::material("rgb-phong");
-  m.shininess = 7.5;  // Blinn's 30
+  m.parameters["shininess"] = 7.5;  // Blinn's 30
   EXPECT_NEAR(roughness(m), 0.5, kRounding);
-  m.shininess = 0;
+  m.parameters["shininess"] = 0;
   EXPECT_EQ(roughness(m), 1);
   m.specular = 0;
-  m.shininess = 100;
+  m.parameters["shininess"] = 100;
   EXPECT_EQ(roughness(m), 1);
   m = testing::material("rgb-cook-torrance");
-  m.roughness = 0.25;
+  m.parameters["roughness"] = 0.25;
   EXPECT_EQ(roughness(m), 0.25);
 }
 

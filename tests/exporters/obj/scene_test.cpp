@@ -24,7 +24,7 @@ TEST(ObjMaterials, material_has_the_scenes_numbers) {
   scene.view.material.diffuse = 0.5;
   scene.view.material.diffuse_color = {1, 0.5, 0.25};
   scene.view.material.specular = 0.75;
-  scene.view.material.shininess = 20;
+  scene.view.material.parameters["shininess"] = 20;
   const Package package = obj_materials(scene, "k");
   ASSERT_THAT(names(package), ElementsAre("k.texture.png", "k.mtl"));
   EXPECT_EQ(package.back().bytes,
@@ -44,7 +44,7 @@ TEST(ObjMaterials, plain_color_is_the_diffuse_color) {
 TEST(ObjMaterials, numbers_keep_to_the_ranges_of_mtl) {
   Scene scene = small_scene();
   scene.view.material.specular = 3;
-  scene.view.material.shininess = 5000;
+  scene.view.material.parameters["shininess"] = 5000;
   const std::string text = obj_materials(scene, "k").back().bytes;
   EXPECT_THAT(text, HasSubstr("\nKs 1 1 1\nNs 1000\n"));
 }

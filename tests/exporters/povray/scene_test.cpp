@@ -158,7 +158,7 @@ TEST(PovScene, models_without_their_own_term_are_drawn_as_lambert_and_phong) {
     return scene_text(scene, Stage::kFinal, a) == scene_text(scene, Stage::kFinal, b);
   };
   Material rough = colorful("rgb-oren-nayar");
-  rough.roughness = 0;
+  rough.parameters["roughness"] = 0;
   EXPECT_TRUE(same(rough, colorful("rgb-phong")));
   EXPECT_TRUE(same(colorful("rgb-minnaert"), colorful("rgb-phong")));
 }
@@ -174,7 +174,7 @@ TEST(PovScene, three_forms_of_a_linear_space_are_one_scene) {
 TEST(PovScene, highlights_are_phongs_or_blinns_with_the_scenes_exponent) {
   const auto text = [](const char* formula) {
     Material m = material(formula);
-    m.shininess = 8;
+    m.parameters["shininess"] = 8;
     return scene_text(small_scene(), Stage::kFinal, m);
   };
   EXPECT_THAT(text("rgb-phong"), HasSubstr("phong 1 phong_size 8"));

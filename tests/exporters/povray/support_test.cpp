@@ -68,7 +68,7 @@ TEST(PovShortfall, rule_for_the_gamut_and_spaces_that_are_not_linear_leave_the_t
 TEST(PovShortfall, models_lack_only_their_own_terms) {
   EXPECT_EQ(missing(material("rgb-minnaert")), std::nullopt) << "darkness 1 is Lambert";
   Material minnaert = material("rgb-minnaert");
-  minnaert.darkness = 2;
+  minnaert.parameters["darkness"] = 2;
   EXPECT_EQ(missing(minnaert),
             "POV-Ray can't draw Minnaert's diffuse term; nearest: material.darkness 1");
   EXPECT_EQ(shortfall(minnaert), "POV-Ray can't draw Minnaert's diffuse term");
@@ -77,7 +77,7 @@ TEST(PovShortfall, models_lack_only_their_own_terms) {
 
   Material oren_nayar = material("yiq-oren-nayar");
   EXPECT_THAT(missing(oren_nayar), Optional(HasSubstr("material.roughness 0")));
-  oren_nayar.roughness = 0;
+  oren_nayar.parameters["roughness"] = 0;
   EXPECT_EQ(shortfall(oren_nayar), std::nullopt);
 
   Material metal = material("cielab-cook-torrance");
@@ -90,7 +90,7 @@ TEST(PovShortfall, models_lack_only_their_own_terms) {
 
 TEST(PovShortfall, exponent_0_is_missing) {
   Material m;
-  m.shininess = 0;
+  m.parameters["shininess"] = 0;
   EXPECT_THAT(missing(m), Optional(HasSubstr("exponent 0")));
 }
 

@@ -49,7 +49,7 @@ TEST(Fast, draws_every_model) {
     SCOPED_TRACE(int(model));
     Scene scene = knot_scene();
     scene.view.material.model = model;
-    scene.view.material.darkness = 0.7;
+    scene.view.material.parameters["darkness"] = 0.7;
     expect_close(scene);
   }
 }

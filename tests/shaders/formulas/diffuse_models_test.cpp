@@ -13,7 +13,7 @@ constexpr double kRounding = 1e-14;  // a few operations on numbers near one
 Material material(Model model, double number = 0) {
   Material m;
   m.model = model;
-  m.roughness = m.darkness = number;
+  m.parameters["roughness"] = m.parameters["darkness"] = number;
   return m;
 }
 

@@ -12,15 +12,15 @@ constexpr double kPi = std::numbers::pi;
 Material blinn(double shininess) {
   Material m;
   m.model = Model::kBlinnPhong;
-  m.shininess = shininess;
+  m.parameters["shininess"] = shininess;
   return m;
 }
 
 Material cook_torrance(double roughness, double reflectance) {
   Material m;
   m.model = Model::kCookTorrance;
-  m.roughness = roughness;
-  m.reflectance = reflectance;
+  m.parameters["roughness"] = roughness;
+  m.parameters["reflectance"] = reflectance;
   return m;
 }
 
@@ -147,7 +147,7 @@ TEST(Highlights, gated_are_gone_where_the_light_is_behind_and_the_same_in_front)
                             Model::kCookTorrance}) {
     Material m;
     m.model = model;
-    m.shininess = 2;
+    m.parameters["shininess"] = 2;
     for (int i = 0; i < 200; ++i) {
       const Vec3d l = random.direction(), v = random.direction();
       m.highlights = Highlights::kFree;
@@ -166,7 +166,7 @@ TEST(Highlights, gated_are_gone_where_the_light_is_behind_and_the_same_in_front)
 
 TEST(Highlights, gated_are_gone_where_the_light_grazes_the_surface) {
   Material m;
-  m.shininess = 1;
+  m.parameters["shininess"] = 1;
   const Vec3d l{1, 0, 0}, v{-0.6, 0, 0.8};
   EXPECT_NEAR(terms_at(l, v, m).specular, 0.6, 1e-15);
   m.highlights = Highlights::kGated;

@@ -10,7 +10,7 @@ constexpr double kRounding = 1e-14;  // a few operations on numbers near one
 
 Material phong(double k, NormalUse use = NormalUse::kUnit) {
   Material m;
-  m.shininess = k;
+  m.parameters["shininess"] = k;
   m.normal = use;
   return m;
 }

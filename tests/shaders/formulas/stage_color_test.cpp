@@ -32,7 +32,7 @@ TEST(StageColor, shows_the_terms_of_white_light_as_greys_without_their_weights) 
   view.ambient = 0.3;
   for (Shot shot : every_shot()) {
     if (shot.material.model != Model::kPhong) continue;
-    shot.material.shininess = 2;
+    shot.material.parameters["shininess"] = 2;
     const Vec3d color = stage_color<double>({{0, 0, 0}, {0, 0, 1}}, {0.9, 0.1, 0.2},
                                             lighting_of<double>(view, shot.material), shot);
     if (shot.stage == Stage::kDiffuse) {
@@ -72,12 +72,12 @@ TEST(LightingOf, takes_the_scene_s_lights_and_the_shot_s_material) {
   view.camera.position = {1, 2, 3};
   view.lights = {PointLight{{4, 5, 6}, {}, {0.5, 0.25, 0.125}}};
   view.ambient = 0.7;
-  view.material.shininess = 99;
+  view.material.parameters["shininess"] = 99;
   Material material;
-  material.shininess = 8;
-  material.roughness = 0.8;
-  material.reflectance = 0.7;
-  material.darkness = 0.6;
+  material.parameters["shininess"] = 8;
+  material.parameters["roughness"] = 0.8;
+  material.parameters["reflectance"] = 0.7;
+  material.parameters["darkness"] = 0.6;
   material.luma_offset = -0.2;
   const auto l = lighting_of<double>(view, material);
   EXPECT_EQ(l.eye_position, (Vec3d{1, 2, 3}));
@@ -86,10 +86,10 @@ TEST(LightingOf, takes_the_scene_s_lights_and_the_shot_s_material) {
   EXPECT_EQ(l.lights[0].constant, 0.5);
   EXPECT_EQ(l.lights[0].linear, 0.25);
   EXPECT_EQ(l.lights[0].quadratic, 0.125);
-  EXPECT_EQ(l.model.shininess, 8);
-  EXPECT_EQ(l.model.roughness, 0.8);
-  EXPECT_EQ(l.model.reflectance, 0.7);
-  EXPECT_EQ(l.model.darkness, 0.6);
+  EXPECT_EQ(l.parameters["shininess"], 8);
+  EXPECT_EQ(l.parameters["roughness"], 0.8);
+  EXPECT_EQ(l.parameters["reflectance"], 0.7);
+  EXPECT_EQ(l.parameters["darkness"], 0.6);
   EXPECT_EQ(l.luma_offset, -0.2);
 }
 

@@ -69,13 +69,13 @@ View table1_view(RandomSurface& random) {
 
 Material table1_material(RandomSurface& random) {
   Material m = *with_formula(Material{}, "yiq-table1");
-  m.shininess = random.number(0, 16);
+  m.parameters["shininess"] = random.number(0, 16);
   return m;
 }
 
 Parameters listing_parameters(const View& view, const Material& material) {
   return {hlsl(view.camera.position), hlsl(std::get<PointLight>(view.lights[0]).position),
-          view.ambient, material.shininess};
+          view.ambient, material.parameters["shininess"]};
 }
 
 TEST(Table1, preset_computes_the_listing) {

@@ -25,7 +25,8 @@ struct GreyTerms {
 inline Terms<double> terms_of(const View& view, const SurfacePoint<double>& point,
                               const Material& material) {
   const auto lighting = lighting_of<double>(view, material);
-  return surface_terms(point, lighting.eye_position, lighting.lights, lighting.model, material);
+  return surface_terms(point, lighting.eye_position, lighting.lights, lighting.parameters,
+                       material);
 }
 
 inline GreyTerms grey_terms(const View& view, const SurfacePoint<double>& point,

@@ -1,4 +1,4 @@
-#include "shaders/graph/number.h"
+#include "math/number.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ ShaderJob far_job(const std::string& formula) {
   ShaderJob job = emission_job(formula, Keep::kAll,
                                {PointLight{{-5000, 0, 20}, {{1, 1, 1}, 1e4}, {500, 0, 0}}});
   job.view.ambient = 3;
-  job.shot.material.shininess = 1e5;
+  job.shot.material.parameters["shininess"] = 1e5;
   job.shot.material.specular = 20;
   return job;
 }

@@ -126,7 +126,7 @@ TEST(RecordNames, without_highlights_nothing_of_them_is_left) {
     Shot shot = shot_of(formula);
     shot.material.specular = 0;
     shot.material.luma_offset = 0;
-    shot.material.darkness = 1.5;
+    shot.material.parameters["darkness"] = 1.5;
     // Minnaert's and Oren and Nayar's diffuse terms need the eye.
     const bool sees = formula.ends_with("minnaert") || formula.ends_with("oren-nayar");
     const Names found = read_names(record_shot(View{}, shot));
@@ -182,13 +182,13 @@ TEST(RecordNames, a_dark_light_leaves_nothing) {
 TEST(RecordNames, minnaert_of_darkness_one_takes_no_power) {
   Shot shot = shot_of("rgb-minnaert", Stage::kDiffuse);
   EXPECT_FALSE(has_operation(record_shot(View{}, shot), Op::kPower));
-  shot.material.darkness = 1.5;
+  shot.material.parameters["darkness"] = 1.5;
   EXPECT_TRUE(has_operation(record_shot(View{}, shot), Op::kPower));
 }
 
 TEST(RecordNames, a_smooth_oren_nayar_surface_is_lambert) {
   Shot shot = shot_of("rgb-oren-nayar", Stage::kDiffuse);
-  shot.material.roughness = 0;
+  shot.material.parameters["roughness"] = 0;
   EXPECT_EQ(names(record_shot(View{}, shot)),
             names(record_shot(View{}, shot_of("phong", Stage::kDiffuse))));
 }
@@ -225,7 +225,7 @@ TEST(RecordNames, parameters_hold_the_scene_s_numbers) {
   view.lights = {SpotLight{{-2, -3, 3.5}, {0, 3, -4}, 60, 90, {{1, 0.5, 0.25}, 2}, {3, 4, 5}}};
   view.ambient = 0.3;
   Shot shot = shot_of("phong");
-  shot.material.shininess = 17;
+  shot.material.parameters["shininess"] = 17;
   shot.material.diffuse_color = {0.5, 0.5, 0.5};
   const auto values = parameters(record_shot(view, shot));
   EXPECT_EQ(values.at("eye_position"), (Vec3d{3, -2, 4}));

@@ -50,9 +50,9 @@ TEST(Record, what_is_left_out_changes_no_colour) {
   // Zeros and ones among the numbers: what Keep::kNeeded folds.
   Material plain;
   plain.specular = 0;
-  plain.darkness = 1;
+  plain.parameters["darkness"] = 1;
   Material ones;
-  ones.shininess = 1;
+  ones.parameters["shininess"] = 1;
   ones.diffuse_color = {0, 0, 0};
   ones.emissive = {1, 1, 1};
   for (const Material& base : {plain, ones, colored_material()}) {

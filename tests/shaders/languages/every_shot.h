@@ -13,10 +13,10 @@ namespace lumaknot {
 /// `base`'s numbers are neither 0 nor 1 nor their defaults, its colours not grey.
 inline Material colored_material() {
   Material m;
-  m.shininess = 20;
-  m.roughness = 0.4;
-  m.reflectance = 0.3;
-  m.darkness = 1.4;
+  m.parameters["shininess"] = 20;
+  m.parameters["roughness"] = 0.4;
+  m.parameters["reflectance"] = 0.3;
+  m.parameters["darkness"] = 1.4;
   m.diffuse = 0.75;
   m.specular = 0.5;
   m.ambient_color = {0.9, 0.7, 0.6};

@@ -41,9 +41,9 @@ TEST(RateReport, rounds_that_disagree_widen_a_cost_s_interval) {
   const FrameTimes fast{{{2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}}};
   EXPECT_TRUE(std::isinf(of({times()}).low));  // five pairs
   EXPECT_DOUBLE_EQ(of({times(), times(), times()}).low, 0.5);
-  const Interval wide = of({times(), times(), times(), times(), fast});
-  EXPECT_EQ(wide.low, 0);
-  EXPECT_DOUBLE_EQ(wide.high, 0.5);
+  const Interval<double> wide = of({times(), times(), times(), times(), fast});
+  EXPECT_EQ(wide.min, 0);
+  EXPECT_DOUBLE_EQ(wide.max, 0.5);
 }
 
 TEST(RateReport, paper_rows_are_table_2) {
@@ -85,10 +85,10 @@ TEST(RateReport, picture_escapes_names_and_scales_to_the_fastest) {
 
 TEST(RateReport, shots_keep_the_scene_s_numbers) {
   Scene scene;
-  scene.view.material.shininess = 7;
+  scene.view.material.parameters["shininess"] = 7;
   const std::vector<Shot> shots = rate_shots(scene);
   ASSERT_EQ(shots.size(), kRateShots.size());
-  for (const Shot& shot : shots) EXPECT_EQ(shot.material.shininess, 7);
+  for (const Shot& shot : shots) EXPECT_EQ(shot.material.parameters["shininess"], 7);
   EXPECT_EQ(shots[1].material.form, Form::kCollapsed);
   EXPECT_EQ(shots[2].material.form, Form::kMatrices);
   EXPECT_EQ(shots[2].material.clamp, Clamp::kTable1);

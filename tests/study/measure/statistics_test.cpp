@@ -37,14 +37,14 @@ TEST(Statistics, the_median_s_interval_is_that_of_tables_of_order_statistics) {
   for (const auto& [count, rank] : ranks) {
     std::vector<double> values;
     for (int i = count; i > 0; --i) values.push_back(i);
-    EXPECT_EQ(median_interval(values).low, rank) << count;
-    EXPECT_EQ(median_interval(values).high, count + 1 - rank) << count;
+    EXPECT_EQ(median_interval(values).min, rank) << count;
+    EXPECT_EQ(median_interval(values).max, count + 1 - rank) << count;
   }
 }
 
 TEST(Statistics, of_fewer_than_six_values_the_median_may_lie_anywhere) {
-  EXPECT_TRUE(std::isinf(median_interval({1, 1, 1, 1, 1}).low));
-  EXPECT_TRUE(std::isinf(median_interval({}).high));
+  EXPECT_TRUE(std::isinf(median_interval({1, 1, 1, 1, 1}).min));
+  EXPECT_TRUE(std::isinf(median_interval({}).max));
 }
 
 TEST(Statistics, a_time_is_shown_by_three_digits_and_never_fewer_before_the_point) {

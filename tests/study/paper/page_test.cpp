@@ -113,8 +113,8 @@ TEST(KeptLight, is_read_as_it_was_kept) {
   EXPECT_EQ(is.mean, was.mean);
   EXPECT_EQ(is.agree, was.agree);
   EXPECT_EQ(kept->renderers[0].version, "Other 1.0");
-  EXPECT_EQ(kept_lights(folder.path(), "key"), 1);
-  EXPECT_EQ(kept_lights(folder.path(), "other"), 0);
+  EXPECT_EQ(checkpointed_lights(folder.path(), "key"), 1);
+  EXPECT_EQ(checkpointed_lights(folder.path(), "other"), 0);
 }
 
 TEST(KeptLight, what_an_earlier_run_drew_and_this_one_did_not_goes_away) {
@@ -142,7 +142,7 @@ TEST(KeptLight, is_drawn_again_with_another_key_or_when_a_file_or_a_renderer_was
   write_file(folder.path() / "images/back.json", "{\"key\": \"key\"", "test");
   EXPECT_FALSE(is_kept("key"));
   forget_lights(folder.path());
-  EXPECT_EQ(kept_lights(folder.path(), "key"), 0);
+  EXPECT_EQ(checkpointed_lights(folder.path(), "key"), 0);
 }
 
 /// The front and specular scenes on a small mesh in a small picture.

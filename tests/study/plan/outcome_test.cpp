@@ -296,8 +296,8 @@ TEST(Prediction, bounds_what_coarse_and_fine_grids_show) {
   for (const Model model : {Model::kPhong, Model::kBlinnPhong, Model::kMinnaert}) {
     SceneSpec spec = small_spec(64);
     spec.view.material.model = model;
-    spec.view.material.darkness = 1.5;
-    spec.view.material.shininess = 20;
+    spec.view.material.parameters["darkness"] = 1.5;
+    spec.view.material.parameters["shininess"] = 20;
     const Scene scene = made(spec);
     const Tolerance tolerance;
     const std::vector<Fragment> seen = seen_of(spec);

@@ -136,8 +136,8 @@ SceneSpec full_spec(Model model, Space space) {
   m.specular_color = {0.5, 0.6, 0.7};
   m.luma_offset = space == Space::kRgb ? 0 : -0.05;
   m.highlights = Highlights::kGated;
-  m.roughness = 0.7;
-  m.darkness = 1.4;
+  m.parameters["roughness"] = 0.7;
+  m.parameters["darkness"] = 1.4;
   return spec;
 }
 

@@ -201,7 +201,7 @@ TEST(Atlas, shows_what_is_not_a_number_in_magenta) {
 
 TEST(Energy, of_lambert_is_all_and_of_minnaert_what_its_integral_says) {
   const auto minnaert = [](double k) {
-    return [k](const Directions<double>& d) { return minnaert_diffuse(d, k); };
+    return [k](const Directions<double>& d) { return MinnaertDiffuse::value(d, k); };
   };
   // Midpoints, and the guard of the product at 1e-4.
   EXPECT_NEAR(reflected_share(minnaert(1), 1.2), 1, 1e-9);
@@ -211,7 +211,7 @@ TEST(Energy, of_lambert_is_all_and_of_minnaert_what_its_integral_says) {
 
 TEST(Energy, has_no_angle_where_all_are_alike) {
   const auto minnaert = [](double k) {
-    return [k](const Directions<double>& d) { return minnaert_diffuse(d, k); };
+    return [k](const Directions<double>& d) { return MinnaertDiffuse::value(d, k); };
   };
   const std::vector<Energy> all{energy_of("Lambert", minnaert(1)),
                                 energy_of("Minnaert", minnaert(2))};
@@ -227,7 +227,7 @@ TEST(Energy, has_no_angle_where_all_are_alike) {
 
 TEST(Energy, of_phong_head_on_is_two_by_k_plus_two) {
   for (const double k : {1.0, 10.0}) {
-    const auto phong = [k](const Directions<double>& d) { return phong_highlight(d, k); };
+    const auto phong = [k](const Directions<double>& d) { return PhongHighlight::value(d, k); };
     EXPECT_NEAR(reflected_share(phong, 0), 2 / (k + 2), 1e-4);
   }
 }

@@ -110,9 +110,9 @@ TEST(Guarded, pictures_of_every_number_of_a_material_are_numbers) {
     for (const double roughness : {0.04, 0.3, 1.57}) {
       for (const double darkness : {0.0, 0.25, 10.0}) {
         Scene scene = small_scene();
-        scene.view.material.shininess = shininess;
-        scene.view.material.roughness = roughness;
-        scene.view.material.darkness = darkness;
+        scene.view.material.parameters["shininess"] = shininess;
+        scene.view.material.parameters["roughness"] = roughness;
+        scene.view.material.parameters["darkness"] = darkness;
         EXPECT_TRUE(draws_numbers(scene)) << shininess << " " << roughness << " " << darkness;
       }
     }
@@ -183,7 +183,7 @@ TEST(Guarded, pictures_from_inside_the_tube_and_along_it_are_numbers) {
   const Spine spine(components(small_knot()).front());
   for (const double distance : {0.0, 0.1, 0.18, 0.1801, 0.3}) {
     Scene scene = small_scene();
-    const Frame frame = spine.frame(0.3);
+    const RingFrame frame = spine.frame(0.3);
     scene.view.camera.position = frame.position + frame.normal * distance;
     scene.view.camera.target = scene.view.camera.position + frame.tangent;
     EXPECT_TRUE(draws_numbers(scene)) << distance;

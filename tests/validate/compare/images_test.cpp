@@ -119,7 +119,7 @@ TEST(Explain, names_a_highlight_that_is_gated_behind_the_light) {
   scene.view.lights = {PointLight{.position = {0.5, 5, 0}, .color = {}, .falloff = {}}};
   const Bench bench{scene};
   Shot shot = final_shot("phong");
-  shot.material.shininess = 2;
+  shot.material.parameters["shininess"] = 2;
   Image theirs = shade_all(bench.scene, shot, bench.fragments);
   Shot without = shot;
   without.material.specular = 0;

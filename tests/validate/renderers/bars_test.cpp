@@ -18,14 +18,14 @@ Programs programs() {
   return result;
 }
 
-const RendererResult& judgement_of(const Validation& v, std::string_view renderer) {
+const RendererResult& result_of(const Validation& v, std::string_view renderer) {
   return *std::ranges::find_if(
-      v.judgements, [&](const RendererResult& j) { return j.rendering.renderer == renderer; });
+      v.results, [&](const RendererResult& j) { return j.rendering.renderer == renderer; });
 }
 
 const Judged& judged(const Validation& v, std::string_view renderer, std::string_view shot) {
   const auto found = std::ranges::find(v.shots, shot, &Shot::name);
-  return judgement_of(v, renderer).shots.at(std::size_t(found - v.shots.begin()));
+  return result_of(v, renderer).shots.at(std::size_t(found - v.shots.begin()));
 }
 
 /// One run per scene: starting Blender for every expectation would take minutes.
@@ -48,10 +48,10 @@ TEST_P(BuiltinScene, agrees_in_every_renderer_within_the_promised_bars) {
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
   for (const std::string_view renderer : {"Cycles", "POV-Ray", "Eevee", "GL", "Vulkan"}) {
     const bool snaps = renderer != "Cycles" && renderer != "POV-Ray";
-    const RendererResult& judgement = judgement_of(v, renderer);
-    ASSERT_TRUE(judgement.drew_any()) << renderer << ": " << judgement.rendering.log;
-    EXPECT_LE(judgement.coverage_differs, snaps ? 5 : 0) << renderer;
-    for (const Judged& shot : judgement.shots) {
+    const RendererResult& result = result_of(v, renderer);
+    ASSERT_TRUE(result.drew_any()) << renderer << ": " << result.rendering.log;
+    EXPECT_LE(result.coverage_differs, snaps ? 5 : 0) << renderer;
+    for (const Judged& shot : result.shots) {
       EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kDrawn) << renderer << shot.drawn.why;
       EXPECT_EQ(shot.comparison.classes[std::size_t(PixelClass::kUnexplained)], 0) << renderer;
     }
@@ -115,7 +115,7 @@ Scene odd_scene() {
 TEST(OddScene, agrees_in_every_renderer) {
   ValidationJob job{odd_scene(), {}, {}, programs()};
   Material material;
-  material.shininess = 3;
+  material.parameters["shininess"] = 3;
   material.diffuse = 0.8;
   material.specular = 0.6;
   for (const NamedMaterial& m : paper_materials()) {
@@ -124,10 +124,10 @@ TEST(OddScene, agrees_in_every_renderer) {
   job.scene.view.material = material;
   job.finals.back().material.luma_offset = 0.07;
   const Validation v = validate(job);
-  for (const RendererResult& judgement : v.judgements) {
-    EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
-    EXPECT_TRUE(judgement.drew_any()) << judgement.rendering.log;
-    for (const Judged& shot : judgement.shots) {
+  for (const RendererResult& result : v.results) {
+    EXPECT_EQ(result.first_difference, "") << result.rendering.renderer;
+    EXPECT_TRUE(result.drew_any()) << result.rendering.log;
+    for (const Judged& shot : result.shots) {
       EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());
     }
   }
@@ -159,9 +159,9 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(Material{}, m.name)});
   }
   const Validation v = validate(job);
-  for (const RendererResult& judgement : v.judgements) {
-    EXPECT_EQ(judgement.first_difference, "") << judgement.rendering.renderer;
-    for (const Judged& shot : judgement.shots) {
+  for (const RendererResult& result : v.results) {
+    EXPECT_EQ(result.first_difference, "") << result.rendering.renderer;
+    for (const Judged& shot : result.shots) {
       EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());
     }
   }

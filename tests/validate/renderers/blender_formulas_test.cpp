@@ -39,8 +39,8 @@ Shot shot_of(const std::string& formula) {
   material.diffuse_color = {0.9, 0.8, 0.7};
   material.specular_color = {1, 0.9, 0.8};
   material.emissive = {0.05, 0, 0.1};
-  material.darkness = 1.4;
-  material.roughness = 0.4;
+  material.parameters["darkness"] = 1.4;
+  material.parameters["roughness"] = 0.4;
   return {formula, Stage::kFinal, *with_formula(material, formula)};
 }
 

@@ -23,7 +23,7 @@ Validation run(const Scene& scene, const std::vector<Shot>& finals) {
 
 const Judged& judged(const Validation& v, std::string_view shot) {
   const auto found = std::ranges::find(v.shots, shot, &Shot::name);
-  return v.judgements.at(0).shots.at(std::size_t(found - v.shots.begin()));
+  return v.results.at(0).shots.at(std::size_t(found - v.shots.begin()));
 }
 
 /// Every shot was drawn and agrees within POV-Ray's limits, classes explaining the outliers. All
@@ -32,7 +32,7 @@ const Judged& judged(const Validation& v, std::string_view shot) {
 void expect_agreement(const Validation& v) {
   EXPECT_EQ(v.verdict, Verdict::kAgreed);
   for (std::size_t i = 0; i < v.shots.size(); ++i) {
-    const Judged& shot = v.judgements.at(0).shots.at(i);
+    const Judged& shot = v.results.at(0).shots.at(i);
     EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kDrawn) << v.shots[i].name << shot.drawn.why;
     EXPECT_THAT(shot.comparison.exceeded, IsEmpty()) << v.shots[i].name;
     EXPECT_GT(shot.comparison.inside, 1000) << v.shots[i].name;
@@ -42,7 +42,7 @@ void expect_agreement(const Validation& v) {
 
 void expect_native(const Validation& v) {
   expect_agreement(v);
-  for (const Judged& shot : v.judgements.at(0).shots) EXPECT_EQ(shot.drawn.note, "");
+  for (const Judged& shot : v.results.at(0).shots) EXPECT_EQ(shot.drawn.note, "");
 }
 
 /// The small scene in colours that would reveal a wrong channel.
@@ -139,7 +139,7 @@ TEST(PovMaterial, white_image_in_a_tint_stays_white) {
 TEST(PovMaterial, gated_highlights_need_no_class) {
   Material gated = formula("rgb-blinn-phong");
   gated.highlights = Highlights::kGated;
-  gated.shininess = 4;
+  gated.parameters["shininess"] = 4;
   Scene scene = lit_by({PointLight{.position = {-1, 2, 3}, .color = {}, .falloff = {}}});
   const Validation v = run(scene, {{"gated", Stage::kFinal, gated}});
   expect_native(v);
@@ -157,7 +157,7 @@ TEST(PovMaterial, what_its_lighting_lacks_is_composed_from_its_terms) {
   finals.back().material.gamut = Gamut::kChroma;
   finals.push_back({"gated", Stage::kFinal, formula("cielab-blinn-phong")});
   finals.back().material.highlights = Highlights::kGated;
-  finals.back().material.shininess = 3;
+  finals.back().material.parameters["shininess"] = 3;
   finals.push_back({"gold", Stage::kFinal, formula("rgb-phong")});
   finals.back().material.specular_color = {1, 0.5, 0};
   // Two coloured lights, together beyond white: what each space sees of them differs, and the terms

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <concepts>
 
-#include "scene/vec.h"
+#include "math/vec.h"
 
 namespace lumaknot {
 
