@@ -27,7 +27,7 @@ ALLOWED = {
 }
 
 # Within a folder: its subfolders, and which of their sisters each may include; "" is the folder
-# itself.
+# itself, and "*" one that is not named.
 SISTERS = {
     "shaders": {
         "formulas": ("graph", "spaces"),
@@ -43,12 +43,9 @@ SISTERS = {
         "image/module": (),
         "mesh": ("text",),
         "obj": ("", "image", "mesh", "text"),
-        "off": ("mesh", "text"),
-        "om": ("mesh", "text"),
-        "ply": ("mesh", "text"),
         "povray": ("", "image", "mesh", "text"),
-        "stl": ("mesh", "text"),
         "text": (),
+        "*": ("mesh", "text"),
     },
     "render": {"": (), "exact": ("",), "fast": ("",), "fast/kernels": ("fast",)},
     "validate": {
@@ -131,9 +128,10 @@ def forbidden(includer, included):
             return f"other folders may only include from {other}/{there}: {may}"
         return ""
     sisters = SISTERS.get(folder)
-    if sisters is None or here == there or there in sisters.get(here, ()):
+    allowed = sisters.get(here, sisters.get("*", ())) if sisters else ()
+    if sisters is None or here == there or there in allowed:
         return ""
-    may = ", ".join(f"{folder}/{name}" for name in sisters.get(here, ())) or "nothing"
+    may = ", ".join(f"{folder}/{name}" for name in allowed) or "nothing"
     return f"{folder}/{here} must not include {folder}/{there}; besides itself it may include: {may}"
 
 
