@@ -29,7 +29,7 @@ inline constexpr std::string_view kFile = "FILE", kFolder = "FOLDER", kProgram =
 struct Argument {
   std::string names;  ///< "-o,--output"; a positional argument's name has no dashes
   Target target = static_cast<bool*>(nullptr);
-  std::string_view meaning = {};  ///< one phrase, without a full stop
+  std::string meaning = {};       ///< one phrase, without a full stop
   std::string_view value = {};    ///< placeholder; empty: from the target's type
   std::string default_text = {};  ///< empty: the target's value
   std::vector<std::string> choices = {};

@@ -51,7 +51,7 @@ struct KnotSpec {
   Unwrap unwrap = Unwrap::kArcLength;
 };
 
-/// A triangle mesh in a file (.obj, .ply, .off, .stl).
+/// A triangle mesh in a file.
 struct MeshFile {
   std::string path;
 };

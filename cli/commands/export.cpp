@@ -14,6 +14,7 @@
 #include "exporters/povray/scene.h"
 #include "system/atomic_file.h"
 #include "system/error.h"
+#include "system/listing.h"
 #include "system/process.h"
 #include "validate/renderers/blender_run.h"
 
@@ -92,29 +93,37 @@ std::vector<std::string> export_gltf(const Job& job) {
   return write(job, package);
 }
 
-struct Format {
-  std::string_view extension;
+struct SceneFormat {
+  std::string_view ending, remark;
   std::vector<std::string> (*write)(const Job&);
 };
-constexpr Format kFormats[] = {
-    {".pov", export_pov},
-    {".py", export_python},
-    {".blend", export_blend},
-    {".glb", export_gltf<glb_package>},
-    {".gltf", export_gltf<gltf_package>},
-    {".obj", export_obj},
+constexpr SceneFormat kSceneFormats[] = {
+    {".pov", "", export_pov},
+    {".py", "Blender script", export_python},
+    {".blend", "", export_blend},
+    {".glb", "", export_gltf<glb_package>},
+    {".gltf", "", export_gltf<gltf_package>},
+    {".obj", "", export_obj},
 };
 
-const Format& format_of(const std::string& output) {
-  for (const Format& format : kFormats) {
-    if (fs::path(output).extension() == format.extension) return format;
+/// ".pov, .py or .obj": the endings of all formats, described or alone.
+std::string scene_endings(bool described) {
+  std::vector<std::string> endings;
+  for (const SceneFormat& format : kSceneFormats) {
+    endings.push_back(described_ending(format.ending, described ? format.remark : ""));
   }
-  throw Error(
-      fmt::format("--output {} must end in .pov, .py, .blend, .glb, .gltf or .obj", output));
+  return listing(endings, "or");
+}
+
+const SceneFormat& format_of(const std::string& output) {
+  for (const SceneFormat& format : kSceneFormats) {
+    if (fs::path(output).extension() == format.ending) return format;
+  }
+  throw Error(fmt::format("--output {} must end in {}", output, scene_endings(false)));
 }
 
 void run(const ExportFlags& flags) {
-  const Format& format = format_of(flags.output);
+  const SceneFormat& format = format_of(flags.output);
   check_package_name(flags.output, "--output");
   check_writable(flags.output, "--output");
   const SceneInput input = read_scene(flags.scene);
@@ -126,13 +135,12 @@ void run(const ExportFlags& flags) {
 }
 
 std::vector<Argument> export_arguments(ExportFlags& flags) {
-  std::vector<Argument> all{
-      scene_argument(flags.scene),
-      {.names = "-o,--output",
-       .target = &flags.output,
-       .meaning = "file to write: .pov, .py (Blender script), .blend, .glb, .gltf or .obj",
-       .value = kFile,
-       .required = true}};
+  std::vector<Argument> all{scene_argument(flags.scene),
+                            {.names = "-o,--output",
+                             .target = &flags.output,
+                             .meaning = "file to write: " + scene_endings(true),
+                             .value = kFile,
+                             .required = true}};
   append(all, output_arguments(flags.out));
   append(all, program_arguments(flags.programs));
   return all;

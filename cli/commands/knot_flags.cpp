@@ -20,7 +20,7 @@ struct FlagVisitor {
     const auto keep = [given = given, key = std::string(key)](const T& v) { (*given)[key] = v; };
     flags.push_back({.names = field_label("--", key),
                      .target = Take<T>(keep),
-                     .meaning = about,
+                     .meaning = std::string(about),
                      .default_text = std::move(value),
                      .checked = false,
                      .heading = "Knot"});

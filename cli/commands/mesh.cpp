@@ -9,13 +9,14 @@
 #include "cli/commands/mesh_report.h"
 #include "cli/commands/shared_arguments.h"
 #include "cli/terminal.h"
-#include "exporters/mesh/file.h"
+#include "exporters/mesh/format.h"
 #include "meshgen/lean_grid.h"
 #include "meshgen/tangents.h"
 #include "scene/check.h"
 #include "scene/json.h"
 #include "scene/presets.h"
 #include "system/error.h"
+#include "system/listing.h"
 
 namespace lumaknot {
 namespace {
@@ -90,11 +91,29 @@ void run(const MeshFlags& flags) {
   report_mesh(knot, mesh, flags);
 }
 
+/// ".obj, .ply or .inc (POV-Ray)": all that can be written.
+std::string written_files() {
+  std::vector<std::string> files;
+  for (const std::string& ending : mesh_endings(&MeshFormat::write)) {
+    files.push_back(described_ending(ending, find_mesh_format(ending, &MeshFormat::write)->remark));
+  }
+  return listing(files, "or");
+}
+
+/// ".ply and .stl": the files that are text only when asked for it.
+std::string files_with_a_choice() {
+  const auto has_choice = [](const MeshFormat& f) { return f.has_text && f.has_binary; };
+  return listing(mesh_endings(has_choice), "and");
+}
+
 std::vector<Argument> mesh_arguments(MeshFlags& flags) {
+  const auto files_with = [](bool MeshFormat::* feature) {
+    return fmt::format("{}", fmt::join(mesh_endings(feature), ", "));
+  };
   std::vector<Argument> all{
       {.names = "-o,--output",
        .target = &flags.output,
-       .meaning = "mesh file to write: .obj, .ply, .stl, .off, .om, .glb, .gltf or .inc (POV-Ray)",
+       .meaning = "mesh file to write: " + written_files(),
        .value = kFile},
       {.names = "--max-error",
        .target = &flags.max_error,
@@ -105,11 +124,16 @@ std::vector<Argument> mesh_arguments(MeshFlags& flags) {
       {.names = "--strict",
        .target = &flags.strict,
        .meaning = "reject a tube that passes through itself"},
-      {.names = "--ascii", .target = &flags.file.ascii, .meaning = "write .ply and .stl as text"},
-      {.names = "--quads", .target = &flags.file.quads, .meaning = "keep quads (.obj, .ply, .off)"},
+      {.names = "--ascii",
+       .target = &flags.file.ascii,
+       .meaning = fmt::format("write {} as text", files_with_a_choice())},
+      {.names = "--quads",
+       .target = &flags.file.quads,
+       .meaning = fmt::format("keep quads ({})", files_with(&MeshFormat::has_quads))},
       {.names = "--tangents",
        .target = &flags.file.tangents,
-       .meaning = "add tangents for normal mapping (.glb, .gltf)"}};
+       .meaning = fmt::format("add tangents for normal mapping ({})",
+                              files_with(&MeshFormat::has_tangents))}};
   append(all, output_arguments(flags.out));
   append(all, knot_arguments(flags.knot));
   return all;

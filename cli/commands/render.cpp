@@ -96,9 +96,11 @@ void run(const RenderFlags& flags) {
 constexpr std::string_view kFastHeading = "Fast rendering";
 
 /// A flag of --fast, without its target.
-Argument fast_argument(std::string names, std::string_view meaning) {
-  return {
-      .names = std::move(names), .meaning = meaning, .needs = "--fast", .heading = kFastHeading};
+Argument fast_argument(std::string names, std::string meaning) {
+  return {.names = std::move(names),
+          .meaning = std::move(meaning),
+          .needs = "--fast",
+          .heading = kFastHeading};
 }
 
 Argument multisample_argument(RenderFlags& flags) {

@@ -1,5 +1,7 @@
 #include "cli/commands/shared_arguments.h"
 
+#include <fmt/format.h>
+
 #include "cli/terminal.h"
 #include "scene/presets.h"
 #include "validate/renderers/entry.h"
@@ -25,7 +27,7 @@ Argument program_argument(Programs& programs, const ProgramInfo& program) {
   path = Programs{}.path(program);
   return {.names = std::string(program.flag),
           .target = &path,
-          .meaning = program.meaning,
+          .meaning = std::string(program.meaning),
           .value = kProgram,
           .default_text = std::string(program.place),
           .heading = "External programs"};
@@ -37,6 +39,10 @@ std::vector<Argument> program_arguments(Programs& programs) {
     all.push_back(program_argument(programs, *program));
   }
   return all;
+}
+
+std::string described_ending(std::string_view ending, std::string_view remark) {
+  return remark.empty() ? std::string(ending) : fmt::format("{} ({})", ending, remark);
 }
 
 }  // namespace lumaknot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command.h"
@@ -23,5 +24,8 @@ Argument program_argument(Programs& programs, const ProgramInfo& program);
 
 /// The paths of all that renderers run.
 std::vector<Argument> program_arguments(Programs& programs);
+
+/// ".py (Blender script)": how a flag's meaning lists a file's ending.
+std::string described_ending(std::string_view ending, std::string_view remark);
 
 }  // namespace lumaknot

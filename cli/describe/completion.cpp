@@ -3,7 +3,7 @@
 namespace lumaknot {
 
 std::string brief(const Argument& argument) {
-  return std::string(argument.meaning.substr(0, argument.meaning.find(';')));
+  return argument.meaning.substr(0, argument.meaning.find(';'));
 }
 
 std::string single_quoted(std::string_view text) {

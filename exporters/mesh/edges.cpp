@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "exporters/mesh/readers.h"
 #include "exporters/text/scanner.h"
 
 namespace lumaknot {

@@ -1,4 +1,4 @@
-/// Whether polygons are a surface.
+/// Whether polygons are a surface, of corners that exist.
 #pragma once
 
 #include <cstdint>
@@ -32,5 +32,8 @@ void for_each_loop(const Polygons& polygons, Visit visit) {
 /// Throws Error at the first polygon with an edge that two others share, or that another uses in
 /// the same direction.
 void check_edges(const Polygons& polygons, std::string_view name);
+
+/// Throws Error unless every corner's indices are within `polygons`.
+void check_indices(const Polygons& polygons, std::string_view name);
 
 }  // namespace lumaknot

@@ -1,5 +1,4 @@
-/// Triangle meshes in files. Written: .obj, .ply, .stl, .off (positions and faces), .om (OpenMesh's
-/// own), .inc (POV-Ray).
+/// Triangle meshes in files of the formats in list.h.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +9,9 @@ namespace lumaknot {
 
 /// How a mesh is written, where its format offers a choice.
 struct MeshFileOptions {
-  bool ascii = false;     ///< as text: .ply and .stl, which are otherwise binary
-  bool quads = false;     ///< pairs of triangles as quads: .obj, .ply, .off, if the mesh has quads
-  bool tangents = false;  ///< with the mesh's tangents: .glb, .gltf
+  bool ascii = false;     ///< as text, also where the format is otherwise binary
+  bool quads = false;     ///< pairs of triangles as quads, if the mesh has quads
+  bool tangents = false;  ///< with the mesh's tangents
 };
 
 /// Writes `mesh` in float32, .om in double. Uses all cores and constant memory, except for .obj and
@@ -26,8 +25,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
 void check_mesh_output(const std::filesystem::path& path, const MeshFileOptions& options,
                        std::string_view flag);
 
-/// The triangles of a mesh file: .obj, .ply, .stl, .off, .om (OpenMesh's), .pov and .inc (POV-Ray's
-/// mesh2 in plain numbers). Numbers are read as double, so that float32 in its shortest digits
+/// The triangles of a mesh file. Numbers are read as double, so that float32 in its shortest digits
 /// comes back unchanged. Polygons are triangulated, concave ones too; missing and zero normals
 /// become smooth; one vertex is kept for each set of equal attributes. With `needs_uvs`, a mesh
 /// without texture coordinates is refused; otherwise they are zero. Throws Error calling the file

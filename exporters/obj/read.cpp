@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "exporters/mesh/readers.h"
+#include "exporters/mesh/edges.h"
+#include "exporters/obj/format.h"
 #include "exporters/text/scanner.h"
 
 namespace lumaknot {

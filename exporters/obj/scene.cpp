@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "exporters/image/file.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/obj/format.h"
 #include "math/number.h"
 #include "system/atomic_file.h"
 

@@ -1,6 +1,6 @@
 #include "exporters/mesh/faces.h"
 #include "exporters/mesh/weld.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/obj/format.h"
 #include "exporters/text/numbers.h"
 
 namespace lumaknot {

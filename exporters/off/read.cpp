@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "exporters/mesh/readers.h"
+#include "exporters/off/format.h"
 #include "exporters/text/scanner.h"
 
 namespace lumaknot {

@@ -2,7 +2,7 @@
 
 #include "exporters/mesh/faces.h"
 #include "exporters/mesh/weld.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/off/format.h"
 #include "exporters/text/numbers.h"
 
 namespace lumaknot {

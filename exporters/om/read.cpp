@@ -5,8 +5,8 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <sstream>
 
-#include "exporters/mesh/readers.h"
 #include "exporters/om/chunks.h"
+#include "exporters/om/format.h"
 #include "exporters/text/scanner.h"
 
 namespace lumaknot {

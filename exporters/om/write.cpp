@@ -3,7 +3,7 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "exporters/mesh/writers.h"
+#include "exporters/om/format.h"
 #include "system/error.h"
 
 namespace lumaknot {

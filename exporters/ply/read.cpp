@@ -4,7 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "exporters/mesh/readers.h"
+#include "exporters/mesh/edges.h"
+#include "exporters/ply/format.h"
 #include "exporters/ply/header.h"
 #include "exporters/ply/values.h"
 #include "exporters/text/scanner.h"

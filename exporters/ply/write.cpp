@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "exporters/mesh/faces.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/ply/format.h"
 #include "exporters/text/little_endian.h"
 #include "exporters/text/numbers.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "exporters/mesh/readers.h"
+#include "exporters/povray/format.h"
 #include "exporters/povray/tokens.h"
 #include "exporters/text/scanner.h"
 

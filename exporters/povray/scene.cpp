@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "exporters/image/file.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/povray/format.h"
 #include "exporters/povray/lights.h"
 #include "exporters/povray/text.h"
 #include "exporters/povray/texture.h"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "exporters/mesh/writers.h"
+#include "exporters/povray/format.h"
 #include "exporters/text/numbers.h"
 #include "exporters/text/parallel_writer.h"
 

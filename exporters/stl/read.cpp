@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "exporters/mesh/hash_table.h"
-#include "exporters/mesh/readers.h"
+#include "exporters/stl/format.h"
 #include "exporters/text/scanner.h"
 
 namespace lumaknot {

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "exporters/mesh/writers.h"
+#include "exporters/stl/format.h"
 #include "exporters/text/little_endian.h"
 #include "exporters/text/numbers.h"
 #include "exporters/text/parallel_writer.h"

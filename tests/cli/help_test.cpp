@@ -129,6 +129,17 @@ TEST_F(Help, shows_choices_ranges_defaults_and_dependencies) {
   EXPECT_THAT(one_line(command_help(mesh_command(), 100)), HasSubstr("[above 0; default: 0.18]"));
 }
 
+TEST_F(Help, lists_the_files_that_are_written) {
+  const std::string mesh = one_line(command_help(mesh_command(), 100));
+  EXPECT_THAT(mesh, AllOf(HasSubstr("Mesh file to write: .obj, .ply, .stl, .off, .om, .glb, .gltf "
+                                    "or .inc (POV-Ray)"),
+                          HasSubstr("Write .ply and .stl as text"),
+                          HasSubstr("Keep quads (.obj, .ply, .off)"),
+                          HasSubstr("Add tangents for normal mapping (.glb, .gltf)")));
+  EXPECT_THAT(one_line(command_help(export_command(), 100)),
+              HasSubstr("File to write: .pov, .py (Blender script), .blend, .glb, .gltf or .obj"));
+}
+
 TEST_F(Help, examples_are_parsed) {
   std::vector<Subcommand> all = commands_;
   all.push_back(program_command());

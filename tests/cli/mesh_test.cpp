@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "exporters/mesh/format.h"
 #include "tests/cli/program_test.h"
 
 namespace lumaknot {
@@ -55,8 +56,8 @@ TEST_F(Program, a_tube_that_passes_through_itself_causes_a_warning) {
 }
 
 TEST_F(Program, every_format_is_written_and_read_as_a_scene_s_mesh) {
-  for (const std::string name : {"knot.obj", "knot.ply", "knot.stl", "knot.off", "knot.om",
-                                 "knot.glb", "knot.gltf", "knot.inc"}) {
+  for (const std::string& ending : mesh_endings(&MeshFormat::write)) {
+    const std::string name = "knot" + ending;
     ASSERT_THAT(lumaknot({"mesh", "--segments", "90", "--sides", "8", "-o", name}), ExitsWith(0));
     write("scene.json", R"({"mesh": {"file": ")" + name +
                             R"("}, "texture": {"color": [1, 0.5, 0]},

@@ -16,6 +16,7 @@ HERE = Path(__file__).parent
 TOYS = (
     ("toy_model.h", "models/toy.h", "models/list.h"),
     ("toy_language.cpp", "shaders/languages/toy.cpp", "shaders/languages/list.h"),
+    ("toy_format.cpp", "exporters/toy/format.cpp", "exporters/mesh/list.h"),
     ("toy_renderer.cpp", "validate/renderers/toy.cpp", "validate/renderers/list.h"),
 )
 
@@ -33,6 +34,7 @@ def extend(root, copy):
     ignored = shutil.ignore_patterns(".*", "build", "report", "tests", "__pycache__")
     shutil.copytree(root, copy, ignore=ignored)
     for toy, place, entries in TOYS:
+        (copy / place).parent.mkdir(exist_ok=True)
         shutil.copy2(HERE / toy, copy / place)
         path = copy / entries
         before = path.stat()

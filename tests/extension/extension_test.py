@@ -110,6 +110,33 @@ class ToyLanguage(Toy):
         self.assertIn("toy has no vertex stage", refused)
 
 
+class ToyFormat(Toy):
+    def test_is_written_and_read_again(self):
+        self.run_lumaknot("mesh", "--segments", "90", "--sides", "8", "-o", "knot.toy")
+        self.assertEqual(len(self.read("knot.toy").splitlines()), 90 * 8 * 2)
+        self.write_scene()
+        scene = json.loads(self.read("scene.json"))
+        for name in ("knot.toy", "knot.stl"):
+            self.run_lumaknot("mesh", "--segments", "90", "--sides", "8", "-o", name)
+            scene["mesh"] = {"file": name}
+            (self.folder / "scene.json").write_text(json.dumps(scene), encoding="utf-8")
+            self.run_lumaknot("render", "scene.json", "-o", f"{name}.png")
+        self.assertEqual((self.folder / "knot.toy.png").stat().st_size > 500, True)
+
+    def test_is_listed_with_the_others(self):
+        self.assertIn(" or .toy", self.run_lumaknot("mesh", "-o", "knot.other", code=2))
+        self.assertIn(".toy", self.run_lumaknot("mesh", "--help"))
+
+    def test_refuses_what_its_entry_does_not_have(self):
+        self.run_lumaknot("mesh", "--ascii", "--segments", "30", "--sides", "8", "-o", "knot.toy")
+        self.assertIn("knot.toy can't hold quads", self.run_lumaknot("mesh", "--quads", "-o", "knot.toy", code=2))
+
+    def test_errors_in_its_files_have_their_line(self):
+        (self.folder / "cut.toy").write_text("0 0 0 1 0 0 0 1 0\n0 0 0 1\n")
+        (self.folder / "scene.json").write_text('{"mesh": {"file": "cut.toy"}, "texture": {"color": [1, 1, 1]}}')
+        self.assertIn("cut.toy, line 2", self.run_lumaknot("render", "scene.json", "-o", "cut.png", code=2))
+
+
 class ToyRenderer(Toy):
     def test_is_drawn_when_asked_for_and_held_to_its_own_limits(self):
         self.write_scene()

@@ -29,7 +29,7 @@ ALLOWED = {
 }
 
 # Within a folder: its subfolders, and which of their sisters each may include; "" is the folder
-# itself.
+# itself, and "*" one that is not named.
 SISTERS = {
     "shaders": {
         "formulas": ("graph", "spaces"),
@@ -38,19 +38,16 @@ SISTERS = {
         "spaces": ("graph",),
     },
     "exporters": {
-        "": ("gltf", "mesh", "text"),
+        "": (),
         "blender": ("", "image"),
         "gltf": ("", "image", "mesh"),
         "image": ("image/module",),
         "image/module": (),
-        "mesh": ("gltf", "text"),
+        "mesh": ("text",),
         "obj": ("", "image", "mesh", "text"),
-        "off": ("mesh", "text"),
-        "om": ("mesh", "text"),
-        "ply": ("mesh", "text"),
         "povray": ("", "image", "mesh", "text"),
-        "stl": ("mesh", "text"),
         "text": (),
+        "*": ("mesh", "text"),
     },
     "render": {"": (), "exact": ("",), "fast": ("",), "fast/kernels": ("fast",)},
     "validate": {
@@ -87,7 +84,7 @@ ENTRANCES = {
     "exporters/blender": ("scene",),
     "exporters/gltf": ("scene",),
     "exporters/image": ("baked_texture", "file"),
-    "exporters/mesh": ("file",),
+    "exporters/mesh": ("file", "format"),
     "exporters/obj": ("scene",),
     "exporters/povray": ("scene",),
     "render/exact": ("pixels", "truth", "tube"),
@@ -133,9 +130,10 @@ def forbidden(includer, included):
             return f"other folders may only include from {other}/{there}: {may}"
         return ""
     sisters = SISTERS.get(folder)
-    if sisters is None or here == there or there in sisters.get(here, ()):
+    allowed = sisters.get(here, sisters.get("*", ())) if sisters else ()
+    if sisters is None or here == there or there in allowed:
         return ""
-    may = ", ".join(f"{folder}/{name}" for name in sisters.get(here, ())) or "nothing"
+    may = ", ".join(f"{folder}/{name}" for name in allowed) or "nothing"
     return f"{folder}/{here} must not include {folder}/{there}; besides itself it may include: {may}"
 
 

@@ -7,8 +7,13 @@
 #include <cstring>
 #include <sstream>
 
-#include "exporters/mesh/writers.h"
+#include "exporters/obj/format.h"
+#include "exporters/off/format.h"
+#include "exporters/om/format.h"
+#include "exporters/ply/format.h"
+#include "exporters/povray/format.h"
 #include "exporters/povray/scene.h"
+#include "exporters/stl/format.h"
 #include "tests/exporters/testing.h"
 
 namespace lumaknot {

@@ -12,7 +12,11 @@
 
 #include "exporters/mesh/faces.h"
 #include "exporters/mesh/weld.h"
-#include "exporters/mesh/writers.h"
+#include "exporters/obj/format.h"
+#include "exporters/off/format.h"
+#include "exporters/ply/format.h"
+#include "exporters/povray/format.h"
+#include "exporters/stl/format.h"
 #include "exporters/text/numbers.h"
 #include "meshgen/closed_mesh.h"
 #include "tests/exporters/testing.h"

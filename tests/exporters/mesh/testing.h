@@ -13,8 +13,13 @@
 #include <vector>
 
 #include "exporters/mesh/file.h"
-#include "exporters/mesh/readers.h"
+#include "exporters/obj/format.h"
+#include "exporters/off/format.h"
+#include "exporters/om/format.h"
+#include "exporters/ply/format.h"
+#include "exporters/povray/format.h"
 #include "exporters/povray/scene.h"
+#include "exporters/stl/format.h"
 #include "meshgen/closed_mesh.h"
 #include "tests/exporters/testing.h"
 
@@ -192,7 +197,7 @@ inline std::string knot_pov() {
 }
 
 struct MeshSample {
-  const char* name;
+  const char *name, *ending;
   MeshReader reader;
   std::string bytes;
 };
@@ -200,17 +205,17 @@ struct MeshSample {
 /// A valid file of each format and encoding.
 inline std::vector<MeshSample> mesh_samples() {
   return {
-      {"quad_obj", read_obj, kQuadObj},
-      {"cube_obj", read_obj, kCubeObj},
-      {"ply_text", read_ply, kTetrahedronPly},
-      {"ply_little", read_ply, tetrahedron_ply(false)},
-      {"ply_big", read_ply, tetrahedron_ply(true)},
-      {"stl_text", read_stl, tetrahedron_stl_text()},
-      {"stl", read_stl, tetrahedron_stl()},
-      {"off", read_off, kTetrahedronOff},
-      {"om", read_om, knot_om()},
-      {"pov", read_pov, kTetrahedronPov},
-      {"knot_pov", read_pov, knot_pov()},
+      {"quad_obj", ".obj", read_obj, kQuadObj},
+      {"cube_obj", ".obj", read_obj, kCubeObj},
+      {"ply_text", ".ply", read_ply, kTetrahedronPly},
+      {"ply_little", ".ply", read_ply, tetrahedron_ply(false)},
+      {"ply_big", ".ply", read_ply, tetrahedron_ply(true)},
+      {"stl_text", ".stl", read_stl, tetrahedron_stl_text()},
+      {"stl", ".stl", read_stl, tetrahedron_stl()},
+      {"off", ".off", read_off, kTetrahedronOff},
+      {"om", ".om", read_om, knot_om()},
+      {"pov", ".pov", read_pov, kTetrahedronPov},
+      {"knot_pov", ".pov", read_pov, knot_pov()},
   };
 }
 

@@ -1,0 +1,12 @@
+#include "exporters/povray/format.h"
+
+namespace lumaknot {
+
+extern const MeshFormat kPovFormat{.endings = {".pov", ".inc"}, .read = read_whole<read_pov>};
+
+extern const MeshFormat kPovIncludeFormat{.endings = {".inc"},
+                                          .remark = "POV-Ray",
+                                          .write = write_whole<write_pov_include>,
+                                          .has_text = true};
+
+}  // namespace lumaknot
