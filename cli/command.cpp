@@ -8,7 +8,7 @@
 #include "cli/describe/layout.h"
 #include "system/overloaded.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 std::string numbers(const std::vector<int>& values) {
@@ -85,4 +85,4 @@ Completion completion_of(const Argument& argument) {
   return argument.list ? Completion::kList : Completion::kWords;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -10,7 +10,7 @@
 
 #include "scene/fields.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// Receives a value given on the command line.
 template <class T>
@@ -85,4 +85,4 @@ std::string default_of(const Argument& argument);
 enum class Completion { kNone, kWords, kList, kFiles, kFolders, kPrograms, kScenes };
 Completion completion_of(const Argument& argument);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -1,6 +1,6 @@
 #include "cli/command_table.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using Describe = Subcommand (*)();
@@ -33,4 +33,4 @@ Subcommand program_command() {
                        {"lumaknot shader yiq-phong --lang glsl-330 -o out/"}}};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

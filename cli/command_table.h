@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 inline constexpr int kExitAgreed = 0, kExitDiffered = 1, kExitWrongUse = 2,
                      kExitNothingToCompare = 3, kExitInterrupted = 130;
@@ -32,4 +32,4 @@ std::vector<Subcommand> all_commands();
 /// The program itself: its purpose, examples and exit codes.
 Subcommand program_command();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

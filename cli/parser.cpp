@@ -8,7 +8,7 @@
 
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 /// Adds an argument by the type of its target.
@@ -102,4 +102,4 @@ Parsed parse(std::span<const Subcommand> commands, std::vector<std::string> argu
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// What the command line asks for.
 struct Parsed {
@@ -20,4 +20,4 @@ struct Parsed {
 /// Throws Error for anything unexpected.
 Parsed parse(std::span<const Subcommand> commands, std::vector<std::string> arguments);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -13,7 +13,7 @@
 #include "system/process.h"
 #include "system/version.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 void report(std::string message) {
@@ -57,4 +57,4 @@ int run_program(int argc, char** argv) {
   return kExitWrongUse;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

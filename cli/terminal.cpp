@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 void Output::say(const std::string& line) const {
   if (!quiet && !json) fmt::print("{}\n", line);
@@ -26,4 +26,4 @@ std::function<void(double)> progress_bar(const Output& output, std::string label
   };
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// The settings of --quiet and --json.
 struct Output {
@@ -19,4 +19,4 @@ struct Output {
 /// terminal or `output` is quiet. Call it with the finished share in [0, 1].
 std::function<void(double)> progress_bar(const Output& output, std::string label);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

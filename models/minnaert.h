@@ -15,7 +15,7 @@ struct MinnaertDiffuse {
                                                     .slider = {0, 10},
                                                     .step = 0.01,
                                                     .unit = "exponent",
-                                                    .meaning = "exponent, 1 is Lambert"}};
+                                                    .meaning = "1 is Lambert"}};
   static constexpr std::array<EnergySample<1>, 3> kEnergySamples{
       {{"Minnaert, k = 0.25", {0.25}}, {"Minnaert, k = 1", {1}}, {"Minnaert, k = 2", {2}}}};
   static constexpr double kSmallestProduct = 1e-4;

@@ -33,11 +33,11 @@ inline constexpr Parameter kShininess{.name = "shininess",
                                       .slider = {0, 256},
                                       .step = 1,
                                       .unit = "exponent",
-                                      .meaning = "exponent of Phong's and Blinn's highlight",
+                                      .meaning = "k of the highlight max(v.R, 0)^k",
                                       .semantic = "SpecularPower"};
 
-/// The properties of the k-th power of the cosine of an angle that changes `rate` times as fast as the
-/// normal turns.
+/// The properties of the k-th power of the cosine of an angle that changes `rate` times as fast as
+/// the normal turns.
 template <int rate>
 struct PowerOfCosine {
   static constexpr std::array kParameters{kShininess};

@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 /// The stages that locate a failure's cause, then the final pictures.
@@ -175,4 +175,4 @@ Validation validate(const ValidationJob& job,
   return result;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "validate/compare/images.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// What to validate.
 struct ValidationJob {
@@ -65,4 +65,4 @@ Scene sample_by_sample(Scene scene);
 Validation validate(const ValidationJob& job,
                     const std::function<void(const std::string&)>& on_message = {});
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

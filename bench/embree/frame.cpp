@@ -18,7 +18,7 @@
 namespace lumaknot::embree {
 namespace {
 
-using Packet = Floats<xsimd::default_arch>;
+using Packet = fast::Floats<xsimd::default_arch>;
 using Batch = Packet::Batch;
 using IntBatch = xsimd::batch<std::int32_t>;
 using PacketVec = Vec3<Packet>;
@@ -129,7 +129,7 @@ std::array<Batch, kAttributes> interpolated(const std::int32_t* attributes, cons
   for (int a = 0; a < kAttributes; ++a) {
     const auto part = [&](int corner) {
       const IntBatch bits = IntBatch::gather(attributes, at + (corner * kAttributes + a));
-      return bits_as<Batch>(bits);
+      return fast::bits_as<Batch>(bits);
     };
     result[std::size_t(a)] = xsimd::fma(v, part(2), xsimd::fma(u, part(1), part(0)));
   }

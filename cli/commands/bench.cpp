@@ -11,12 +11,12 @@
 #include "system/atomic_file.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 struct BenchFlags {
   std::string scene = "figure2", output, picture;
-  RateOptions options;
+  bench::RateOptions options;
   bool alone = false, scaling = false;
   Output out;
 };
@@ -27,17 +27,19 @@ struct BenchReport {
 };
 
 BenchReport frame_rates(const Scene& scene, const BenchFlags& flags) {
-  RateOptions options = flags.options;
+  bench::RateOptions options = flags.options;
   options.peers = !flags.alone;
-  const RateTable table = measure_rates(scene, options, progress_bar(flags.out, "bench"));
-  return {rates_text(table), rates_json(table), rates_svg(table)};
+  const bench::RateTable table =
+      bench::measure_rates(scene, options, progress_bar(flags.out, "bench"));
+  return {bench::rates_text(table), bench::rates_json(table), bench::rates_svg(table)};
 }
 
 BenchReport scaling(const Scene& scene, const MeshSpec& mesh, const BenchFlags& flags) {
-  const ScalingOptions options{.threads = flags.options.threads, .seconds = flags.options.seconds};
-  const std::vector<Scaling> all =
-      measure_scaling(scene, mesh, options, progress_bar(flags.out, "bench"));
-  return {scaling_text(all), scaling_json(all), scaling_svg(all)};
+  const bench::ScalingOptions options{.threads = flags.options.threads,
+                                      .seconds = flags.options.seconds};
+  const std::vector<bench::Scaling> all =
+      bench::measure_scaling(scene, mesh, options, progress_bar(flags.out, "bench"));
+  return {bench::scaling_text(all), bench::scaling_json(all), bench::scaling_svg(all)};
 }
 
 /// Checks an optional output file.
@@ -62,7 +64,7 @@ void run(const BenchFlags& flags) {
   flags.out.say(report.text);
 }
 
-std::vector<Argument> measuring_arguments(RateOptions& options) {
+std::vector<Argument> measuring_arguments(bench::RateOptions& options) {
   return {{.names = "--rounds",
            .target = &options.rounds,
            .meaning = "number of rounds; each draws every row",
@@ -124,4 +126,4 @@ Subcommand bench_command() {
       }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -11,12 +11,12 @@
 #include "system/atomic_file.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 struct BudgetFlags {
   std::string scene = "figure2", picture;
-  BudgetOptions options;
+  budget::BudgetOptions options;
   Output out;
 };
 
@@ -29,11 +29,12 @@ void run(const BudgetFlags& flags) {
   if (!flags.picture.empty()) check_not_input(flags.picture, input, "--output");
   const auto* knot = std::get_if<KnotSpec>(&input.spec.mesh);
   if (!knot) throw Error("a budget needs mesh.knot: a mesh file has no exact surface");
-  const ErrorBudget budget =
-      error_budget(load_scene(input), *knot, flags.options, progress_bar(flags.out, "budget"));
-  if (!flags.picture.empty()) write_image(flags.picture, budget_picture(budget), "--output");
-  if (flags.out.json) fmt::print("{}", budget_json(budget));
-  flags.out.say(budget_text(budget));
+  const budget::ErrorBudget budget = budget::error_budget(load_scene(input), *knot, flags.options,
+                                                          progress_bar(flags.out, "budget"));
+  if (!flags.picture.empty())
+    write_image(flags.picture, budget::budget_picture(budget), "--output");
+  if (flags.out.json) fmt::print("{}", budget::budget_json(budget));
+  flags.out.say(budget::budget_text(budget));
 }
 
 std::vector<Argument> budget_arguments(BudgetFlags& flags) {
@@ -73,4 +74,4 @@ Subcommand budget_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -16,7 +16,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,8 +29,8 @@ struct ChartFlags {
   Output out;
 };
 
-const Metric& metric_named(const std::string& name) {
-  return *std::ranges::find(chart_metrics(), name, &Metric::name);
+const chart::Metric& metric_named(const std::string& name) {
+  return *std::ranges::find(chart::chart_metrics(), name, &chart::Metric::name);
 }
 
 /// The spaces requested, or the scene's own and YIQ.
@@ -48,19 +48,19 @@ std::vector<Space> spaces_of(const ChartFlags& flags, const Material& material) 
   return spaces;
 }
 
-void write_all(const Chart& chart, const ChartFlags& flags) {
+void write_all(const chart::Chart& chart, const ChartFlags& flags) {
   const fs::path folder = flags.output;
-  const ChartPicture picture = chart_picture(chart, metric_named(flags.metric));
-  const auto drawn = [&](ChartFormat format) {
-    return draw_chart(picture.script, format, picture.width, picture.height);
+  const chart::ChartPicture picture = chart::chart_picture(chart, metric_named(flags.metric));
+  const auto drawn = [&](measure::ChartFormat format) {
+    return measure::draw_chart(picture.script, format, picture.width, picture.height);
   };
   const auto write = [&](const char* name, const std::string& bytes) {
     write_file(folder / name, bytes, "--output");
   };
-  write("chart.svg", drawn(ChartFormat::kSvg));
-  write("chart.png", drawn(ChartFormat::kPng));
-  write("chart.csv", chart_csv(chart));
-  write("chart.html", chart_html(chart, flags.scene));
+  write("chart.svg", drawn(measure::ChartFormat::kSvg));
+  write("chart.png", drawn(measure::ChartFormat::kPng));
+  write("chart.csv", chart::chart_csv(chart));
+  write("chart.html", chart::chart_html(chart, flags.scene));
 }
 
 void check_gnuplot() {
@@ -75,27 +75,28 @@ void run(const ChartFlags& flags) {
   for (const char* file : {"chart.json", "chart.svg", "chart.png", "chart.csv", "chart.html"}) {
     check_not_input(fs::path(flags.output) / file, input, "--output");
   }
-  ChartJob job{load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
-               flags.rounds,      !flags.alone,    flags.metric};
+  chart::ChartJob job{
+      load_scene(input), input.spec.mesh, spaces_of(flags, input.spec.view.material),
+      flags.rounds,      !flags.alone,    flags.metric};
   const OutputFolder output_folder(flags.output, "chart.json");
   try {
-    const Chart chart =
-        measure_chart(job, flags.output, progress_bar(flags.out, "chart"),
-                      [&](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
+    const chart::Chart chart = chart::measure_chart(
+        job, flags.output, progress_bar(flags.out, "chart"),
+        [&](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
     write_all(chart, flags);
-    if (flags.out.json) fmt::print("{}", chart_json(chart));
-    flags.out.say(chart_text(chart, metric_named(flags.metric)));
+    if (flags.out.json) fmt::print("{}", chart::chart_json(chart));
+    flags.out.say(chart::chart_text(chart, metric_named(flags.metric)));
     flags.out.say(fmt::format("{} points; see {}", chart.points.size(),
                               (fs::path(flags.output) / "chart.html").string()));
   } catch (const Interrupted&) {  // reported here: the interrupt ends the program soon
-    fmt::print(stderr, "lumaknot: interrupted; {}\n", chart_standing(job, flags.output));
+    fmt::print(stderr, "lumaknot: interrupted; {}\n", chart::chart_standing(job, flags.output));
     throw;
   }
 }
 
 std::vector<std::string> metric_names() {
   std::vector<std::string> names;
-  for (const Metric& metric : chart_metrics()) names.emplace_back(metric.name);
+  for (const chart::Metric& metric : chart::chart_metrics()) names.emplace_back(metric.name);
   return names;
 }
 
@@ -147,4 +148,4 @@ Subcommand chart_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

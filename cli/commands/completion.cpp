@@ -8,7 +8,7 @@
 
 #include "cli/command_table.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 struct Shell {
@@ -56,4 +56,4 @@ Subcommand completion_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -8,19 +8,19 @@
 #include "cli/terminal.h"
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 struct DoctorFlags {
-  Programs programs;
+  validate::Programs programs;
   Output out;
 };
 
 void run(const DoctorFlags& flags) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const RendererEntry* entry : renderer_entries()) {
-    const std::unique_ptr<Renderer> renderer = entry->make(flags.programs);
-    const Availability here = renderer->availability();
+  for (const validate::RendererEntry* entry : validate::renderer_entries()) {
+    const std::unique_ptr<validate::Renderer> renderer = entry->make(flags.programs);
+    const validate::Availability here = renderer->availability();
     json.push_back({{"renderer", renderer->name()},
                     {"found", here.found},
                     {"version", here.version},
@@ -51,4 +51,4 @@ Subcommand doctor_command() {
   return command;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

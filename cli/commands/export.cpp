@@ -18,14 +18,14 @@
 #include "system/process.h"
 #include "validate/renderers/blender_run.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct ExportFlags {
   std::string scene = "figure2", output;
-  Programs programs;
+  validate::Programs programs;
   Output out;
 };
 
@@ -59,8 +59,8 @@ std::vector<std::string> write(const Job& job, const Package& package) {
 }
 
 std::vector<std::string> export_pov(const Job& job) {
-  const Package package = pov_package(job.scene, stem_of(job));
-  if (const auto shortfall = pov_shortfall(job.scene.view, final_shot(job.scene));
+  const Package package = povray::pov_package(job.scene, stem_of(job));
+  if (const auto shortfall = povray::pov_shortfall(job.scene.view, final_shot(job.scene));
       shortfall && !job.flags.out.quiet) {
     fmt::print(stderr, "lumaknot: note: {}; exported without\n", *shortfall);
   }
@@ -69,19 +69,19 @@ std::vector<std::string> export_pov(const Job& job) {
 
 std::vector<std::string> export_python(const Job& job) {
   const Shot shot = final_shot(job.scene);
-  return write(job, blender_package(job.scene, {&shot, 1}, stem_of(job)));
+  return write(job, blender::blender_package(job.scene, {&shot, 1}, stem_of(job)));
 }
 
 std::vector<std::string> export_obj(const Job& job) {
-  const Package materials = obj_materials(job.scene, stem_of(job));
+  const Package materials = obj::obj_materials(job.scene, stem_of(job));
   check_no_input_overwritten(materials, job);
-  return write_obj_scene(job.flags.output, job.scene.mesh, materials, "--output");
+  return obj::write_obj_scene(job.flags.output, job.scene.mesh, materials, "--output");
 }
 
 /// A self-contained .blend file, written by Blender itself.
 std::vector<std::string> export_blend(const Job& job) {
   const ExportFlags& flags = job.flags;
-  save_blend(job.scene, final_shot(job.scene), flags.output, flags.programs, "--output");
+  validate::save_blend(job.scene, final_shot(job.scene), flags.output, flags.programs, "--output");
   return {fs::path(flags.output).filename().string()};
 }
 
@@ -89,7 +89,7 @@ std::vector<std::string> export_blend(const Job& job) {
 template <Package make(const Scene&, const std::string&)>
 std::vector<std::string> export_gltf(const Job& job) {
   const Package package = make(job.scene, stem_of(job));
-  if (!job.flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", kGltfShortfall);
+  if (!job.flags.out.quiet) fmt::print(stderr, "lumaknot: note: {}\n", gltf::kGltfShortfall);
   return write(job, package);
 }
 
@@ -101,8 +101,8 @@ constexpr SceneFormat kSceneFormats[] = {
     {".pov", "", export_pov},
     {".py", "Blender script", export_python},
     {".blend", "", export_blend},
-    {".glb", "", export_gltf<glb_package>},
-    {".gltf", "", export_gltf<gltf_package>},
+    {".glb", "", export_gltf<gltf::glb_package>},
+    {".gltf", "", export_gltf<gltf::gltf_package>},
     {".obj", "", export_obj},
 };
 
@@ -168,4 +168,4 @@ Subcommand export_command() {
       }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -7,7 +7,7 @@
 #include "scene/check.h"
 #include "scene/fields.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 /// Builds a flag for every field of a knot.
@@ -49,4 +49,4 @@ std::vector<Argument> knot_arguments(std::shared_ptr<nlohmann::ordered_json> giv
   return std::move(visitor.flags);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -7,10 +7,10 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// A flag for every field of a knot. The values given are collected in the object `given`, which
 /// knot_from_json() reads and checks.
 std::vector<Argument> knot_arguments(std::shared_ptr<nlohmann::ordered_json> given);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -8,7 +8,7 @@
 #include "cli/describe/man_page.h"
 #include "system/atomic_file.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ Subcommand man_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

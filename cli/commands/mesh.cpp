@@ -18,7 +18,7 @@
 #include "system/error.h"
 #include "system/listing.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -160,4 +160,4 @@ Subcommand mesh_command() {
       }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -7,7 +7,7 @@
 
 #include "scene/fields.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -165,4 +165,4 @@ Json certificate_json(const KnotSpec& knot, const Certificate& c) {
   };
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -6,7 +6,7 @@
 
 #include "meshgen/certificate.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// The certificate as a human-readable table, without a trailing newline.
 std::string certificate_table(const KnotSpec& knot, const Certificate& certificate);
@@ -17,4 +17,4 @@ nlohmann::ordered_json certificate_json(const KnotSpec& knot, const Certificate&
 /// What keeps the tube from growing beyond `clearance`: "the centre line bends", ...
 std::string limit_text(const Clearance& clearance);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -5,7 +5,7 @@
 #include "system/atomic_file.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ void OutputFolder::remove_empty() const {
   for (const fs::path& folder : created_) fs::remove(folder, not_empty);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

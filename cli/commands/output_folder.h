@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// Creates a folder; folders created here that are still empty are removed on destruction.
 class OutputFolder {
@@ -22,4 +22,4 @@ class OutputFolder {
   std::vector<std::filesystem::path> created_;  ///< the innermost first
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -12,21 +12,21 @@
 #include "system/atomic_file.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct PaperFlags {
   std::string output = "paper";
-  PaperJob job;
+  paper::PaperJob job;
   double time_limit = 100;
   bool alone = false;
   Output out;
 };
 
-std::string progress_message(const PaperJob& job, const fs::path& folder) {
-  const int kept = checkpointed_lights(job, folder);
+std::string progress_message(const paper::PaperJob& job, const fs::path& folder) {
+  const int kept = paper::checkpointed_lights(job, folder);
   if (kept == 0) return "interrupted; nothing is kept, the same command starts over";
   return fmt::format(
       "interrupted; the pictures of {} of 2 lights are kept in {}; the same command resumes", kept,
@@ -40,13 +40,14 @@ void run(PaperFlags flags) {
   flags.job.formula_seconds = 12 * flags.job.rates.seconds;
   const fs::path folder = flags.output;
   try {
-    const PaperResult result = reproduce_paper(flags.job, folder, progress_bar(flags.out, "paper"));
-    const std::string json = paper_json(result);
+    const paper::PaperResult result =
+        paper::reproduce_paper(flags.job, folder, progress_bar(flags.out, "paper"));
+    const std::string json = paper::paper_json(result);
     write_file(folder / "claims.json", json, "--output");
-    write_file(folder / "index.html", paper_html(result), "--output");
-    forget_lights(folder);
+    write_file(folder / "index.html", paper::paper_html(result), "--output");
+    paper::forget_lights(folder);
     if (flags.out.json) fmt::print("{}", json);
-    flags.out.say(paper_text(result));
+    flags.out.say(paper::paper_text(result));
     flags.out.say(
         fmt::format("{} claims; see {}", result.claims.size(), (folder / "index.html").string()));
   } catch (const Interrupted&) {
@@ -109,4 +110,4 @@ Subcommand paper_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

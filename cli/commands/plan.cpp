@@ -17,14 +17,14 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct PlanFlags {
   std::string scene = "figure2", output = "plan", tolerance = "1/255";
-  double shift = Tolerance{}.shift;
+  double shift = plan::Tolerance{}.shift;
   bool exhaustive = false;
   int rounds = 5;
   Output out;
@@ -76,23 +76,23 @@ std::string joined(const std::vector<std::string>& words) {
   return line;
 }
 
-void write_all(const SceneInput& input, Plan& plan, const PlanFlags& flags) {
+void write_all(const SceneInput& input, plan::Plan& plan, const PlanFlags& flags) {
   const fs::path folder = flags.output;
   const std::string command =
       fmt::format("lumaknot render {}{} -o planned.png", (folder / "scene.json").string(),
-                  joined(render_arguments(plan.chosen.method)));
+                  joined(plan::render_arguments(plan.chosen.method)));
   copy_texture(input, folder, plan.simplified);
   write_file(folder / "scene.json", scene_to_json(plan.simplified), "--output");
-  write_file(folder / "certificate.json", plan_json(plan), "--output");
-  write_file(folder / "index.html", plan_html(plan, flags.scene, command), "--output");
-  if (flags.out.json) fmt::print("{}", plan_json(plan));
-  flags.out.say(plan_text(plan));
+  write_file(folder / "certificate.json", plan::plan_json(plan), "--output");
+  write_file(folder / "index.html", plan::plan_html(plan, flags.scene, command), "--output");
+  if (flags.out.json) fmt::print("{}", plan::plan_json(plan));
+  flags.out.say(plan::plan_text(plan));
   flags.out.say(fmt::format("draw it: {}", command));
   flags.out.say(fmt::format("see {}", (folder / "index.html").string()));
 }
 
-std::string progress_message(const PlanJob& job, const std::string& folder) {
-  const std::size_t kept = measured_choices(job, folder);
+std::string progress_message(const plan::PlanJob& job, const std::string& folder) {
+  const std::size_t kept = plan::measured_choices(job, folder);
   if (kept == 0) return "interrupted; nothing is kept yet";
   return fmt::format(
       "interrupted; {} choices are measured and kept in {}; the same command resumes", kept,
@@ -100,17 +100,17 @@ std::string progress_message(const PlanJob& job, const std::string& folder) {
 }
 
 int run(const PlanFlags& flags) {
-  const Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
-  check_tolerance(tolerance, false);
+  const plan::Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
+  plan::check_tolerance(tolerance, false);
   const SceneInput input = read_scene(flags.scene);
   check_no_input_overwritten(input, flags.output);
-  const PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
-  check_plan(job);
+  const plan::PlanJob job{load_scene(input), input.spec, tolerance, flags.exhaustive, flags.rounds};
+  plan::check_plan(job);
   const OutputFolder output_folder(flags.output, "scene.json");
   try {
-    Plan plan =
-        make_plan(job, flags.output, progress_bar(flags.out, "plan"),
-                  [](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
+    plan::Plan plan = plan::make_plan(
+        job, flags.output, progress_bar(flags.out, "plan"),
+        [](const std::string& line) { fmt::print(stderr, "lumaknot: {}\n", line); });
     write_all(input, plan, flags);
     return plan.met ? kExitAgreed : kExitDiffered;
   } catch (const Interrupted&) {  // reported here: the interrupt ends the program soon
@@ -168,4 +168,4 @@ Subcommand plan_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

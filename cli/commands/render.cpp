@@ -18,7 +18,7 @@
 #include "system/atomic_file.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 /// Indexed by SimdLevel.
@@ -28,9 +28,9 @@ struct RenderFlags {
   std::string scene = "figure2", output;
   bool fast = false;
   std::string truth;
-  TruthOptions truth_options;
+  exact::TruthOptions truth_options;
   std::string filter = "bilinear", wrap = "repeat", simd;
-  FastOptions options;
+  fast::Options options;
   bool multisampled = false;
   Output out;
 };
@@ -50,9 +50,10 @@ struct RenderedImage {
 RenderedImage draw_truth(const SceneInput& input, const RenderFlags& flags) {
   const KnotSpec knot = exact_knot(input.spec.mesh);
   const Scene scene{{}, load_texture(input), input.spec.view};
-  TruthOptions options = flags.truth_options;
-  options.sampling = flags.truth == "area" ? TruthSampling::kArea : TruthSampling::kPoint;
-  Truth truth = draw_truth(scene, knot, options, progress_bar(flags.out, "render"));
+  exact::TruthOptions options = flags.truth_options;
+  options.sampling =
+      flags.truth == "area" ? exact::TruthSampling::kArea : exact::TruthSampling::kPoint;
+  exact::Truth truth = exact::draw_truth(scene, knot, options, progress_bar(flags.out, "render"));
   return {std::move(truth.image), std::ranges::max(truth.error.pixels)};
 }
 
@@ -61,14 +62,14 @@ RenderedImage draw(const SceneInput& input, const RenderFlags& flags) {
   Scene scene = load_scene(input);
   if (!flags.fast) return {render(scene, progress_bar(flags.out, "render")), {}};
   if (flags.multisampled) scene.view.image.samples = 1;
-  FastOptions options = flags.options;
+  fast::Options options = flags.options;
   options.filter = flags.filter == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   if (!flags.simd.empty()) {
-    options.level = SimdLevel(std::ranges::find(kSimdNames, flags.simd) - kSimdNames.begin());
+    options.level = fast::SimdLevel(std::ranges::find(kSimdNames, flags.simd) - kSimdNames.begin());
   }
   options.wrapping = flags.wrap == "clamp" ? Wrapping::kClamp : Wrapping::kRepeat;
   Image image;
-  FastRenderer(scene, options).draw(image);
+  fast::Renderer(scene, options).draw(image);
   return {std::move(image), {}};
 }
 
@@ -192,4 +193,4 @@ Subcommand render_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

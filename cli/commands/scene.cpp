@@ -8,7 +8,7 @@
 #include "scene/json.h"
 #include "scene/presets.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 struct SceneFlags {
@@ -57,4 +57,4 @@ Subcommand scene_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -15,7 +15,7 @@
 #include "system/error.h"
 #include "system/overloaded.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ void check_not_input(const fs::path& output, const SceneInput& input, std::strin
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -7,7 +7,7 @@
 
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// A scene's description, the folder its file names are relative to, and its own file.
 struct SceneInput {
@@ -31,4 +31,4 @@ Scene load_scene(const SceneInput& input);
 void check_not_input(const std::filesystem::path& output, const SceneInput& input,
                      std::string_view flag);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -21,7 +21,7 @@
 #include "system/process.h"
 #include "validate/renderers/spirv.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ struct ShaderFlags {
   std::string scene, output = ".", name;
   std::vector<std::string> languages{"all"};
   bool list = false, all_parameters = false;
-  Programs programs;
+  validate::Programs programs;
   Output out;
 };
 
@@ -53,7 +53,7 @@ Package package_of(const ShaderJob& job, Language language) {
   Package package;
   for (const EmittedFile& file : emit(job, language)) package.push_back({file.name, file.text});
   if (language == Language::kBlender) {
-    package.push_back({"lumaknot_nodes.py", std::string(blender_nodes_loader())});
+    package.push_back({"lumaknot_nodes.py", std::string(blender::blender_nodes_loader())});
   }
   return package;
 }
@@ -115,7 +115,7 @@ std::vector<Written> write_all(const ShaderFlags& flags, const ShaderJob& job,
     write_package(written.folder, package, "--output");
     for (const PackedFile& file : package) written.files.push_back(file.name);
     if (!flags.out.quiet || flags.out.json) {
-      written.instructions = fragment_instructions(flags.programs, job, language);
+      written.instructions = validate::fragment_instructions(flags.programs, job, language);
     }
     all.push_back(std::move(written));
   }
@@ -134,7 +134,7 @@ void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vecto
     flags.out.say(
         fmt::format("{}: {} SPIR-V instructions; the paper's Table 1, emitted the same way: {}",
                     backend_of(written.language).name, *written.instructions,
-                    *fragment_instructions(flags.programs, table1, written.language)));
+                    *validate::fragment_instructions(flags.programs, table1, written.language)));
   }
 }
 
@@ -211,7 +211,7 @@ std::vector<Argument> shader_arguments(ShaderFlags& flags) {
       {.names = "--list",
        .target = &flags.list,
        .meaning = "list the shaders and the languages that can express them"},
-      program_argument(flags.programs, kGlslangProgram)};
+      program_argument(flags.programs, validate::kGlslangProgram)};
   all.back().meaning = "GLSL compiler, to count instructions";
   all.back().heading = {};
   append(all, output_arguments(flags.out));
@@ -242,4 +242,4 @@ Subcommand shader_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

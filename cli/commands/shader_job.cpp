@@ -12,7 +12,7 @@
 #include "scene/presets.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ void check_shader_name(const std::string& name) {
       name));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

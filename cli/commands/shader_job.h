@@ -8,7 +8,7 @@
 #include "scene/spec.h"
 #include "shaders/languages/emit.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// A formula of formula_names(), and how it is lit.
 struct NamedFormula {
@@ -28,4 +28,4 @@ ShaderJob job_of_scene(const SceneSpec& spec, const std::string& source);
 /// Throws Error, naming --name, unless `name` is valid in every language.
 void check_shader_name(const std::string& name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

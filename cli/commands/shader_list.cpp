@@ -8,7 +8,7 @@
 #include "scene/presets.h"
 #include "shaders/languages/emit.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 ShaderJob job_of(const std::string& name, ShadingFrequency rate) {
@@ -69,4 +69,4 @@ std::string shader_list_json() {
   return list.dump() + "\n";
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// A table of every shader, its operations, and a column per language.
 std::string shader_list_text();
@@ -12,4 +12,4 @@ std::string shader_list_text();
 /// the others can't.
 std::string shader_list_json();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

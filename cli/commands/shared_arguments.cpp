@@ -4,9 +4,8 @@
 
 #include "cli/terminal.h"
 #include "scene/presets.h"
-#include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 Argument scene_argument(std::string& scene) {
   Argument argument{.names = "scene",
                     .target = &scene,
@@ -22,9 +21,9 @@ std::vector<Argument> output_arguments(Output& output) {
           {.names = "--json", .target = &output.json, .meaning = "print the result as JSON"}};
 }
 
-Argument program_argument(Programs& programs, const ProgramInfo& program) {
+Argument program_argument(validate::Programs& programs, const validate::ProgramInfo& program) {
   std::string& path = programs.paths[program.flag];
-  path = Programs{}.path(program);
+  path = validate::Programs{}.path(program);
   return {.names = std::string(program.flag),
           .target = &path,
           .meaning = std::string(program.meaning),
@@ -33,9 +32,9 @@ Argument program_argument(Programs& programs, const ProgramInfo& program) {
           .heading = "External programs"};
 }
 
-std::vector<Argument> program_arguments(Programs& programs) {
+std::vector<Argument> program_arguments(validate::Programs& programs) {
   std::vector<Argument> all;
-  for (const ProgramInfo* program : renderer_programs()) {
+  for (const validate::ProgramInfo* program : validate::renderer_programs()) {
     all.push_back(program_argument(programs, *program));
   }
   return all;
@@ -45,4 +44,4 @@ std::string described_ending(std::string_view ending, std::string_view remark) {
   return remark.empty() ? std::string(ending) : fmt::format("{} ({})", ending, remark);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

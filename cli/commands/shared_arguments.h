@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 struct Output;
-struct ProgramInfo;
-struct Programs;
 
 /// The scene to work on: a file, a built-in scene or standard input.
 Argument scene_argument(std::string& scene);
@@ -20,12 +19,12 @@ Argument scene_argument(std::string& scene);
 std::vector<Argument> output_arguments(Output& output);
 
 /// The path of an external program.
-Argument program_argument(Programs& programs, const ProgramInfo& program);
+Argument program_argument(validate::Programs& programs, const validate::ProgramInfo& program);
 
 /// The paths of all that renderers run.
-std::vector<Argument> program_arguments(Programs& programs);
+std::vector<Argument> program_arguments(validate::Programs& programs);
 
 /// ".py (Blender script)": how a flag's meaning lists a file's ending.
 std::string described_ending(std::string_view ending, std::string_view remark);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

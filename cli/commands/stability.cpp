@@ -13,7 +13,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,51 +26,53 @@ struct StabilityFlags {
 };
 
 /// The named regions, or all if none are named.
-std::vector<Region> chosen(const std::vector<std::string>& names) {
-  std::vector<Region> all = all_regions();
+std::vector<stability::Region> chosen(const std::vector<std::string>& names) {
+  std::vector<stability::Region> all = stability::all_regions();
   for (const std::string& name : names) {
-    if (std::ranges::find(all, name, &Region::name) != all.end()) continue;
+    if (std::ranges::find(all, name, &stability::Region::name) != all.end()) continue;
     throw Error(fmt::format("unknown region \"{}\"; lumaknot stability --list lists them", name));
   }
   if (names.empty()) return all;
-  std::erase_if(all,
-                [&](const Region& r) { return std::ranges::find(names, r.name) == names.end(); });
+  std::erase_if(all, [&](const stability::Region& r) {
+    return std::ranges::find(names, r.name) == names.end();
+  });
   return all;
 }
 
-void write_pages(const Atlas& atlas, const fs::path& folder) {
-  write_file(folder / "atlas.json", atlas_json(atlas), "--output");
-  write_file(folder / "index.html", atlas_html(atlas), "--output");
+void write_pages(const stability::Atlas& atlas, const fs::path& folder) {
+  write_file(folder / "atlas.json", stability::atlas_json(atlas), "--output");
+  write_file(folder / "index.html", stability::atlas_html(atlas), "--output");
 }
 
-void write_pictures(const Entry& entry, const fs::path& folder) {
+void write_pictures(const stability::Entry& entry, const fs::path& folder) {
   fs::create_directories(folder / entry.name);
-  for (const Picture& picture : entry.pictures) {
+  for (const stability::Picture& picture : entry.pictures) {
     write_file(folder / entry.name / picture.file, picture.png, "--output");
   }
 }
 
 /// The atlas in the folder, empty if absent. One that can't be read, or is from another version, is
 /// an error unless everything is measured again.
-Atlas kept(const StabilityFlags& flags) {
+stability::Atlas kept(const StabilityFlags& flags) {
   const fs::path file = fs::path(flags.output) / "atlas.json";
   if (flags.output.empty() || !fs::exists(file)) return {};
   const bool redo_all = flags.regions.empty() && !flags.resume;
   try {
-    return read_atlas(read_file(file, "--output"), flags.output, file.string());
+    return stability::read_atlas(read_file(file, "--output"), flags.output, file.string());
   } catch (const Error&) {
     if (!redo_all) throw;
     return {};
   }
 }
 
-bool has(const Atlas& atlas, const Region& region) {
-  return std::ranges::find(atlas.entries, region.name, &Entry::name) != atlas.entries.end();
+bool has(const stability::Atlas& atlas, const stability::Region& region) {
+  return std::ranges::find(atlas.entries, region.name, &stability::Entry::name) !=
+         atlas.entries.end();
 }
 
 /// Replaces the entry with the same name, or appends `entry`.
-void put(Atlas& atlas, Entry entry) {
-  const auto old = std::ranges::find(atlas.entries, entry.name, &Entry::name);
+void put(stability::Atlas& atlas, stability::Entry entry) {
+  const auto old = std::ranges::find(atlas.entries, entry.name, &stability::Entry::name);
   if (old == atlas.entries.end()) {
     atlas.entries.push_back(std::move(entry));
   } else {
@@ -80,12 +82,13 @@ void put(Atlas& atlas, Entry entry) {
 
 /// Examines `regions`, or with --resume those missing from `atlas`; pictures are written after each
 /// region.
-void examine_all(const std::vector<Region>& regions, const StabilityFlags& flags, Atlas& atlas) {
+void examine_all(const std::vector<stability::Region>& regions, const StabilityFlags& flags,
+                 stability::Atlas& atlas) {
   const std::function<void(double)> bar = progress_bar(flags.out, "stability");
   const bool draws = !flags.output.empty();
   for (std::size_t i = 0; i < regions.size(); ++i) {
     if (flags.resume && has(atlas, regions[i])) continue;
-    Entry entry = examine(regions[i], {.pictures = draws}, [&](double share) {
+    stability::Entry entry = stability::examine(regions[i], {.pictures = draws}, [&](double share) {
       check_interrupted();
       if (bar) bar((double(i) + share) / double(regions.size()));
     });
@@ -93,25 +96,26 @@ void examine_all(const std::vector<Region>& regions, const StabilityFlags& flags
     put(atlas, std::move(entry));
   }
   const bool has_energies = flags.resume && !atlas.energies.empty();
-  if (flags.regions.empty() && !has_energies) atlas.energies = energies();
+  if (flags.regions.empty() && !has_energies) atlas.energies = stability::energies();
   if (bar) bar(1);
 }
 
 /// Sorts the regions in the order of all_regions(), whichever run examined them.
-void sort_entries(Atlas& atlas) {
-  const std::vector<Region> order = all_regions();
-  std::ranges::stable_sort(atlas.entries, {}, [&](const Entry& e) {
-    return std::ranges::find(order, e.name, &Region::name) - order.begin();
+void sort_entries(stability::Atlas& atlas) {
+  const std::vector<stability::Region> order = stability::all_regions();
+  std::ranges::stable_sort(atlas.entries, {}, [&](const stability::Entry& e) {
+    return std::ranges::find(order, e.name, &stability::Region::name) - order.begin();
   });
 }
 
 void list_regions(const StabilityFlags& flags) {
-  for (const Region& r : chosen(flags.regions)) fmt::print("{:<25} {}\n", r.name, r.method);
+  for (const stability::Region& r : chosen(flags.regions))
+    fmt::print("{:<25} {}\n", r.name, r.method);
 }
 
 void run(const StabilityFlags& flags) {
   if (flags.list) return list_regions(flags);
-  const std::vector<Region> regions = chosen(flags.regions);
+  const std::vector<stability::Region> regions = chosen(flags.regions);
   if (flags.resume && flags.output.empty())
     throw Error("--resume needs --output, the folder to resume");
   if (!flags.output.empty()) {
@@ -123,7 +127,7 @@ void run(const StabilityFlags& flags) {
     }
     check_writable(fs::path(flags.output) / "index.html", "--output");
   }
-  Atlas atlas = kept(flags);
+  stability::Atlas atlas = kept(flags);
   try {
     examine_all(regions, flags, atlas);
   } catch (const Interrupted&) {
@@ -131,7 +135,7 @@ void run(const StabilityFlags& flags) {
     if (flags.output.empty()) throw;
     write_pages(atlas, flags.output);
     const auto done =
-        std::ranges::count_if(regions, [&](const Region& r) { return has(atlas, r); });
+        std::ranges::count_if(regions, [&](const stability::Region& r) { return has(atlas, r); });
     fmt::print(
         stderr,
         "\nlumaknot: {} of {} regions are kept in {}; the same command with --resume continues\n",
@@ -140,8 +144,8 @@ void run(const StabilityFlags& flags) {
   }
   sort_entries(atlas);
   if (!flags.output.empty()) write_pages(atlas, flags.output);
-  if (flags.out.json) fmt::print("{}", atlas_json(atlas));
-  flags.out.say(atlas_text(atlas));
+  if (flags.out.json) fmt::print("{}", stability::atlas_json(atlas));
+  flags.out.say(stability::atlas_text(atlas));
   if (flags.output.empty()) return;
   const std::size_t count = atlas.entries.size();
   flags.out.say(fmt::format("{} region{}; see {}", count, count == 1 ? "" : "s",
@@ -150,7 +154,7 @@ void run(const StabilityFlags& flags) {
 
 std::vector<std::string> region_names() {
   std::vector<std::string> names;
-  for (const Region& region : all_regions()) names.push_back(region.name);
+  for (const stability::Region& region : stability::all_regions()) names.push_back(region.name);
   return names;
 }
 
@@ -198,4 +202,4 @@ Subcommand stability_command() {
           }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

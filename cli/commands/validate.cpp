@@ -20,7 +20,7 @@
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ constexpr long long kMaxSamples = 1LL << 24;  // each takes about 600 bytes
 struct ValidateFlags {
   std::string scene = "figure2", output = "report";
   std::vector<std::string> models, renderers;
-  Programs programs;
+  validate::Programs programs;
   double time_limit = 300;
   Output out;
 };
@@ -72,35 +72,35 @@ std::string repeat_command(const ValidateFlags& flags) {
   };
   for (const std::string& model : flags.models) add("--model", model);
   for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
-  for (const ProgramInfo* program : renderer_programs()) {
+  for (const validate::ProgramInfo* program : validate::renderer_programs()) {
     const std::string path = flags.programs.path(*program);
-    if (path != Programs{}.path(*program)) add(program->flag, path);
+    if (path != validate::Programs{}.path(*program)) add(program->flag, path);
   }
   add("-o", flags.output);
   return command;
 }
 
 /// A line with the outcome of a renderer.
-std::string summary(const RendererResult& result) {
+std::string summary(const validate::RendererResult& result) {
   std::string line = fmt::format("{:<8} ", result.rendering.renderer);
-  const std::vector<Judged>& shots = result.shots;
-  const auto status = [](const Judged& shot) { return shot.drawn.status; };
-  auto first = std::ranges::find(shots, RenderedShot::Status::kFailed, status);
+  const std::vector<validate::Judged>& shots = result.shots;
+  const auto status = [](const validate::Judged& shot) { return shot.drawn.status; };
+  auto first = std::ranges::find(shots, validate::RenderedShot::Status::kFailed, status);
   const bool failed = first != shots.end();
-  if (!failed) first = std::ranges::find(shots, RenderedShot::Status::kSkipped, status);
+  if (!failed) first = std::ranges::find(shots, validate::RenderedShot::Status::kSkipped, status);
   if (failed || !result.drew_any()) {
-    return line + fmt::format("{}: {}", outcome(*first), first->drawn.why);
+    return line + fmt::format("{}: {}", validate::outcome(*first), first->drawn.why);
   }
   const std::string& where = result.first_difference;
   line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
-  const auto count = std::ranges::count(shots, RenderedShot::Status::kSkipped, status);
+  const auto count = std::ranges::count(shots, validate::RenderedShot::Status::kSkipped, status);
   if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
   return line;
 }
 
-int exit_code_of(Verdict verdict) {
-  if (verdict == Verdict::kAgreed) return kExitAgreed;
-  return verdict == Verdict::kDiffered ? kExitDiffered : kExitNothingToCompare;
+int exit_code_of(validate::Verdict verdict) {
+  if (verdict == validate::Verdict::kAgreed) return kExitAgreed;
+  return verdict == validate::Verdict::kDiffered ? kExitDiffered : kExitNothingToCompare;
 }
 
 int run(ValidateFlags flags) {
@@ -109,24 +109,25 @@ int run(ValidateFlags flags) {
     check_not_input(fs::path(flags.output) / file, input, "--output");
   }
   check_samples(input.spec.view.image, kMaxSamples);
-  ValidationJob job{sample_by_sample(load_scene(input)),
-                    finals(input.spec.view.material, flags.models), flags.renderers,
-                    flags.programs};
+  validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
+                              finals(input.spec.view.material, flags.models), flags.renderers,
+                              flags.programs};
   check_number("--time-limit", flags.time_limit, kPositive);
   job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   const OutputFolder output_folder(flags.output, "report.html");
   const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
-  const Validation validation = validate(job, [&](const std::string& line) {
+  const validate::Validation validation = validate::validate(job, [&](const std::string& line) {
     if (verbose) fmt::print(stderr, "{}\n", line);
   });
-  const ReportHead head{flags.scene, repeat_command(flags)};
-  const std::string json = report_json(validation, head);
+  const validate::ReportHead head{flags.scene, repeat_command(flags)};
+  const std::string json = validate::report_json(validation, head);
   write_file(fs::path(flags.output) / "report.json", json, "--output");
-  write_file(fs::path(flags.output) / "report.html", report_html(validation, head), "--output");
+  write_file(fs::path(flags.output) / "report.html", validate::report_html(validation, head),
+             "--output");
   if (flags.out.json) fmt::print("{}", json);
-  for (const RendererResult& result : validation.results) flags.out.say(summary(result));
+  for (const validate::RendererResult& result : validation.results) flags.out.say(summary(result));
   flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
-                            verdict_name(validation.verdict), validation.seconds,
+                            validate::verdict_name(validation.verdict), validation.seconds,
                             (fs::path(flags.output) / "report.html").string()));
   return exit_code_of(validation.verdict);
 }
@@ -141,7 +142,7 @@ std::vector<std::string> model_names() {
 /// Of all renderers, or only of those that draw by default.
 std::vector<std::string> renderer_flags(bool only_default) {
   std::vector<std::string> flags;
-  for (const RendererEntry* entry : renderer_entries()) {
+  for (const validate::RendererEntry* entry : validate::renderer_entries()) {
     if (entry->by_default || !only_default) flags.emplace_back(entry->flag);
   }
   return flags;
@@ -198,4 +199,4 @@ Subcommand validate_command() {
       }};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -1,6 +1,6 @@
 #include "cli/describe/completion.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 std::string brief(const Argument& argument) {
   return argument.meaning.substr(0, argument.meaning.find(';'));
@@ -12,4 +12,4 @@ std::string single_quoted(std::string_view text) {
   return word + "'";
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

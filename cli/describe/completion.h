@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// A script for bash, to be sourced.
 std::string bash_completion(const Subcommand& program, std::span<const Subcommand> commands);
@@ -23,4 +23,4 @@ std::string brief(const Argument& argument);
 /// `text` in single quotes for bash, zsh and fish.
 std::string single_quoted(std::string_view text);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -3,7 +3,7 @@
 #include "cli/describe/completion.h"
 #include "cli/describe/layout.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 /// Indexed by Completion: its name in the script.
@@ -95,4 +95,4 @@ std::string bash_completion(const Subcommand& program, std::span<const Subcomman
       cases, kBashFunctions);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -3,7 +3,7 @@
 #include "cli/describe/completion.h"
 #include "cli/describe/layout.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 constexpr const char* kHelpers = R"(# fish completion of lumaknot
@@ -92,4 +92,4 @@ std::string fish_completion(const Subcommand& program, std::span<const Subcomman
   return text;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

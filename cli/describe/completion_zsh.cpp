@@ -3,7 +3,7 @@
 #include "cli/describe/completion.h"
 #include "cli/describe/layout.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 constexpr const char* kZshFunctions = R"(
@@ -123,4 +123,4 @@ std::string zsh_completion(const Subcommand&, std::span<const Subcommand> comman
       described(commands), cases, kZshFunctions);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

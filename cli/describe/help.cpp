@@ -7,7 +7,7 @@
 
 #include "cli/describe/layout.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 constexpr std::size_t kMaxChoices = 12;  // longer lists are left to completion and --list
@@ -147,4 +147,4 @@ std::string command_help(const Subcommand& command, int width) {
   return text + tail(command, width);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

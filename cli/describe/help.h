@@ -8,7 +8,7 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// `lumaknot --help`: the commands by purpose, in lines of at most `width` characters.
 std::string program_help(const Subcommand& program, std::span<const Subcommand> commands,
@@ -44,4 +44,4 @@ inline constexpr GroupTitle kGroups[] = {{Group::kMake, "Make scenes, meshes and
                                          {Group::kStudy, "Study methods and the paper"},
                                          {Group::kSetUp, "Set up"}};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 constexpr int kMinWidth = 40, kMaxWidth = 100, kDefaultWidth = 80;
@@ -83,4 +83,4 @@ int help_width() {
   return known == 0 ? kDefaultWidth : std::clamp(known, kMinWidth, kMaxWidth);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

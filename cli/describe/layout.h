@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// `words` separated by `divider`.
 std::string joined(const std::vector<std::string>& words, std::string_view divider);
@@ -27,4 +27,4 @@ std::string command_line(std::string_view line, int width);
 /// The width from the environment's COLUMNS or the terminal, at most 100; 80 if unknown.
 int help_width();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -6,7 +6,7 @@
 #include "cli/describe/help.h"
 #include "system/version.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 /// `text` escaped for roff: dashes stay ASCII, and no line is a request.
@@ -102,4 +102,4 @@ std::string command_page(const Subcommand& command) {
   return text + ".SH \"SEE ALSO\"\n.BR lumaknot (1)\n";
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 /// lumaknot(1) as roff, listing `commands`.
 std::string program_page(const Subcommand& program, std::span<const Subcommand> commands);
@@ -14,4 +14,4 @@ std::string program_page(const Subcommand& program, std::span<const Subcommand> 
 /// lumaknot-COMMAND(1) as roff.
 std::string command_page(const Subcommand& command);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -15,12 +15,13 @@
 #include "shaders/languages/emit.h"
 #include "system/error.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view blender_nodes_script();
 std::string_view blender_osl_script();
 std::string_view blender_scene_script();
-}  // namespace embedded
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::blender {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -171,4 +172,4 @@ Package blender_package(const Scene& scene, std::span<const Shot> shots, const s
   return package;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::blender

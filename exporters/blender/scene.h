@@ -8,7 +8,7 @@
 #include "scene/shot.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::blender {
 
 /// The shaders that compute the colours of the shots.
 enum class ShotShaders {
@@ -26,4 +26,4 @@ Package blender_package(const Scene& scene, std::span<const Shot> shots, const s
 /// lumaknot_nodes.py, which builds emitted recipes as node groups.
 std::string_view blender_nodes_loader();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::blender

@@ -9,7 +9,7 @@
 
 #include "exporters/gltf/json.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 template <class T>
@@ -136,4 +136,4 @@ std::uint32_t index_at(const GltfElements& elements, std::size_t i) {
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

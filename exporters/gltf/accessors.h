@@ -7,7 +7,7 @@
 
 #include "exporters/gltf/file.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// An element's values in a buffer, all within it.
 struct GltfElements {
@@ -28,4 +28,4 @@ double number_at(const GltfElements& elements, std::size_t i, std::size_t c);
 /// Element `i` of unsigned integers.
 std::uint32_t index_at(const GltfElements& elements, std::size_t i);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -7,7 +7,7 @@
 
 #include "exporters/gltf/json.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 /// The 4 bytes at `at` as an unsigned integer.
@@ -68,4 +68,4 @@ GltfChunks gltf_chunks(std::string_view bytes, std::string_view name) {
   return {json.content, binary.type == kBinary ? binary.content : std::string_view()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// The JSON and the binary chunk of a file; the latter is empty if absent.
 struct GltfChunks {
@@ -14,4 +14,4 @@ struct GltfChunks {
 /// Error naming the byte.
 GltfChunks gltf_chunks(std::string_view bytes, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

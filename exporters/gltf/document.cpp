@@ -11,7 +11,7 @@
 
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -212,4 +212,4 @@ void write_container(std::ostream& stream, const GltfDocument& document, const T
   write_padding(stream, tail.size(), '\0');
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -9,7 +9,7 @@
 
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// The document of one mesh on one node, to which a scene adds. Its one buffer is the output of
 /// write_arrays(), then the bytes of the added views, each padded to 4.
@@ -54,4 +54,4 @@ void write_arrays(std::ostream& stream, const TriangleMesh& mesh);
 void write_container(std::ostream& stream, const GltfDocument& document, const TriangleMesh& mesh,
                      std::string_view tail);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -12,7 +12,7 @@
 #include "system/atomic_file.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ std::unique_ptr<const GltfFile> load_gltf(const fs::path& path, std::string_view
   return file;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -10,7 +10,7 @@
 
 #include "exporters/gltf/model.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// The parsed JSON and the bytes of each buffer.
 struct GltfFile {
@@ -28,4 +28,4 @@ struct GltfFile {
 /// Reads the file at `path` and its buffers. Throws Error as read_gltf() does.
 std::unique_ptr<const GltfFile> load_gltf(const std::filesystem::path& path, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -9,7 +9,7 @@ namespace lumaknot {
 namespace {
 
 Polygons read_with_buffers(const std::filesystem::path& path, std::string_view label) {
-  return read_gltf(path, mesh_file_name(path, label));
+  return gltf::read_gltf(path, mesh_file_name(path, label));
 }
 
 /// NAME.bin first: the file that refers to it is the one to open.
@@ -21,7 +21,9 @@ void write_gltf_pair(const std::filesystem::path& path, const TriangleMesh& mesh
   std::ostringstream json;
   write_file(
       binary,
-      [&](std::ostream& stream) { write_gltf(json, stream, mesh, binary.filename().string()); },
+      [&](std::ostream& stream) {
+        gltf::write_gltf(json, stream, mesh, binary.filename().string());
+      },
       flag);
   write_file(path, json.str(), flag);
 }
@@ -29,7 +31,7 @@ void write_gltf_pair(const std::filesystem::path& path, const TriangleMesh& mesh
 void write_gltf_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                      const MeshFileOptions&, std::string_view flag) {
   if (path.extension() == ".gltf") return write_gltf_pair(path, mesh, flag);
-  write_file(path, [&](std::ostream& stream) { write_glb(stream, mesh); }, flag);
+  write_file(path, [&](std::ostream& stream) { gltf::write_glb(stream, mesh); }, flag);
 }
 
 }  // namespace

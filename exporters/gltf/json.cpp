@@ -9,7 +9,7 @@
 #include "exporters/gltf/schema.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using Kind = GltfKind;
@@ -210,4 +210,4 @@ GltfModel gltf_model(std::string_view json, std::string_view name) {
   return builder.take();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -7,7 +7,7 @@
 
 #include "exporters/gltf/model.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// Throws Error: "NAME: PLACE PROBLEM".
 [[noreturn]] void fail_gltf(std::string_view name, std::string_view place,
@@ -20,4 +20,4 @@ std::string quoted_gltf(std::string_view text);
 /// appears twice or has the wrong type.
 GltfModel gltf_model(std::string_view json, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// An index that is absent from the file.
 inline constexpr int kNoGltfIndex = -1;
@@ -87,4 +87,4 @@ struct GltfModel {
   std::vector<GltfBuffer> buffers;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -7,7 +7,7 @@
 
 #include "exporters/gltf/json.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 constexpr int kNoParent = -1;
@@ -185,4 +185,4 @@ void SceneTree::visit(const std::function<void(const MeshInstance&)>& visit) con
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -7,7 +7,7 @@
 #include "exporters/gltf/file.h"
 #include "math/vec.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// p -> p.x x + p.y y + p.z z + origin.
 struct Placement {
@@ -48,4 +48,4 @@ class SceneTree {
   std::vector<int> roots_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -9,7 +9,7 @@
 #include "exporters/gltf/json.h"
 #include "exporters/gltf/nodes.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 // Instances can expand a small file, which must still fit in memory; this is also a knot's limit.
@@ -212,4 +212,4 @@ Polygons read_gltf(const std::filesystem::path& path, std::string_view name) {
   return gatherer.take();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -6,7 +6,7 @@
 
 #include "exporters/mesh/polygons.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// The triangles of all meshes in the default scene of a .glb or .gltf file, +Z up, each placed by
 /// its nodes. Without a scene, those of all nodes. Triangles without normals are flat, as glTF
@@ -15,4 +15,4 @@ namespace lumaknot {
 /// calling the file `name` and naming the place of the problem.
 Polygons read_gltf(const std::filesystem::path& path, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -11,7 +11,7 @@
 #include "shaders/spaces/srgb.h"
 #include "system/overloaded.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -201,4 +201,4 @@ Package gltf_package(const Scene& scene, const std::string& name) {
   return package;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -26,7 +26,7 @@
 #include "exporters/package.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 /// Writes `mesh` as a .glb file, converted to float32 on the way. Throws Error when it has no
 /// triangles, a position beyond float32, or needs a file of 4 GiB or more. The stream's state
@@ -48,4 +48,4 @@ Package gltf_package(const Scene& scene, const std::string& name);
 inline constexpr std::string_view kGltfShortfall =
     "glTF's viewers light linear values with a model of their own and know no ambient light";
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

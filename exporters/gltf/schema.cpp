@@ -4,7 +4,7 @@
 #include <string>
 #include <type_traits>
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using Kind = GltfKind;
@@ -145,4 +145,4 @@ std::size_t gltf_type_number(std::string_view name) {
   return std::size_t(std::ranges::find(kGltfTypes, name) - kGltfTypes.begin()) + 1;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -8,7 +8,7 @@
 
 #include "exporters/gltf/model.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 
 enum class GltfKind {
   kIndex,
@@ -60,4 +60,4 @@ inline constexpr std::array<std::string_view, 7> kGltfTypes{"SCALAR", "VEC2", "V
 /// The number of a type; beyond kGltfTypes' size: unknown name.
 std::size_t gltf_type_number(std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -3,8 +3,8 @@
 namespace lumaknot {
 
 extern const MeshFormat kObjFormat{.endings = {".obj"},
-                                   .read = read_whole<read_obj>,
-                                   .write = write_whole<write_obj>,
+                                   .read = read_whole<obj::read>,
+                                   .write = write_whole<obj::write>,
                                    .has_text = true,
                                    .has_quads = true};
 

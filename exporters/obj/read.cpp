@@ -7,7 +7,7 @@
 #include "exporters/obj/format.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 namespace {
 
 class ObjReader {
@@ -104,10 +104,10 @@ class ObjReader {
 
 }  // namespace
 
-Polygons read_obj(std::string_view bytes, std::string_view name) {
+Polygons read(std::string_view bytes, std::string_view name) {
   Polygons polygons = ObjReader(bytes, name).take();
   check_indices(polygons, name);
   return polygons;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

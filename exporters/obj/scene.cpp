@@ -9,7 +9,7 @@
 #include "math/number.h"
 #include "system/atomic_file.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 namespace {
 
 constexpr double kMaxShininess = 1000;  // of Ns, as defined by MTL
@@ -50,15 +50,15 @@ std::vector<std::string> write_obj_scene(const std::filesystem::path& path,
                                          const TriangleMesh& mesh, const Package& materials,
                                          std::string_view flag) {
   write_package(path.parent_path(), materials, flag);
-  const auto write = [&](std::ostream& stream) {
+  const auto write_both = [&](std::ostream& stream) {
     stream << fmt::format("mtllib {}\nusemtl lumaknot\n", materials.back().name);
-    write_obj(stream, mesh, {});
+    write(stream, mesh, {});
   };
-  write_file(path, write, flag);
+  write_file(path, write_both, flag);
   std::vector<std::string> names;
   for (const PackedFile& file : materials) names.push_back(file.name);
   names.push_back(path.filename().string());
   return names;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

@@ -9,7 +9,7 @@
 #include "exporters/package.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 
 /// NAME.mtl, whose one material is "lumaknot", and NAME.texture.png unless the texture is a plain
 /// colour. MTL's lighting is in space rgb and has Lambert's term and a highlight (illum 2): Kd is
@@ -26,4 +26,4 @@ std::vector<std::string> write_obj_scene(const std::filesystem::path& path,
                                          const TriangleMesh& mesh, const Package& materials,
                                          std::string_view flag);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

@@ -3,7 +3,7 @@
 #include "exporters/obj/format.h"
 #include "exporters/text/numbers.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 namespace {
 
 template <class Vector>
@@ -25,7 +25,7 @@ char* put_corner(char* at, const Weld& weld, std::uint32_t vertex) {
 
 }  // namespace
 
-void write_obj(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
   constexpr std::size_t kLineBytes = 3 * (kFloatBytes + 1) + 3;
   const Weld weld = lumaknot::weld(mesh.positions);
   const std::size_t count = mesh.positions.size();
@@ -45,4 +45,4 @@ void write_obj(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOpt
               });
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

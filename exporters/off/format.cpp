@@ -3,8 +3,8 @@
 namespace lumaknot {
 
 extern const MeshFormat kOffFormat{.endings = {".off"},
-                                   .read = read_whole<read_off>,
-                                   .write = write_whole<write_off>,
+                                   .read = read_whole<off::read>,
+                                   .write = write_whole<off::write>,
                                    .has_text = true,
                                    .has_quads = true};
 

@@ -8,7 +8,7 @@
 #include "exporters/off/format.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::off {
 namespace {
 
 class OffReader {
@@ -119,8 +119,8 @@ class OffReader {
 
 }  // namespace
 
-Polygons read_off(std::string_view bytes, std::string_view name) {
+Polygons read(std::string_view bytes, std::string_view name) {
   return OffReader(bytes, name).take();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::off

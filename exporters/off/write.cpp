@@ -5,9 +5,9 @@
 #include "exporters/off/format.h"
 #include "exporters/text/numbers.h"
 
-namespace lumaknot {
+namespace lumaknot::off {
 
-void write_off(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
   const Weld weld = lumaknot::weld(mesh.positions);
   stream << fmt::format("OFF\n{} {} 0\n", weld.count, face_count(mesh, options.quads));
   write_items(stream, mesh.positions.size(), 3 * (kFloatBytes + 1), [&](std::size_t i, char* at) {
@@ -22,4 +22,4 @@ void write_off(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOpt
   });
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::off

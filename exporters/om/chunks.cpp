@@ -10,7 +10,7 @@
 
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::om {
 namespace {
 
 enum Entity : unsigned { kVertex, kMeshItself, kFace, kEdge = 4, kHalfedge = 6, kEndOfFile = 7 };
@@ -238,4 +238,4 @@ OmFile checked_om(std::string_view bytes, std::string_view name) {
   return OmChecker(bytes, name).take();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::om

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::om {
 
 /// The parts of an OM file that the mesh needs, as an OM file that OpenMesh can read safely.
 struct OmFile {
@@ -19,4 +19,4 @@ struct OmFile {
 /// refers to missing halfedges, vertices or faces.
 OmFile checked_om(std::string_view bytes, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::om

@@ -3,8 +3,8 @@
 namespace lumaknot {
 
 extern const MeshFormat kOmFormat{.endings = {".om"},
-                                  .read = read_whole<read_om>,
-                                  .write = write_whole<write_om>,
+                                  .read = read_whole<om::read>,
+                                  .write = write_whole<om::write>,
                                   .has_binary = true};
 
 }  // namespace lumaknot

@@ -3,14 +3,14 @@
 
 #include "exporters/mesh/format.h"
 
-namespace lumaknot {
+namespace lumaknot::om {
 
 /// Versions 2.0 to 2.2.
-Polygons read_om(std::string_view bytes, std::string_view name);
+Polygons read(std::string_view bytes, std::string_view name);
 
 /// Through OpenMesh, which copies the mesh: positions and normals in double, texture coordinates in
 /// float32. (OpenMesh 9 itself reads the positions as float32.) Throws Error if the mesh is not
 /// manifold.
-void write_om(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::om

@@ -9,7 +9,7 @@
 #include "exporters/om/format.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::om {
 namespace {
 
 struct OmTraits : OpenMesh::DefaultTraitsDouble {
@@ -67,7 +67,7 @@ Polygons attributes_of(const OmMesh& mesh, const OmFile& file, std::string_view 
 
 }  // namespace
 
-Polygons read_om(std::string_view bytes, std::string_view name) {
+Polygons read(std::string_view bytes, std::string_view name) {
   const OmFile file = checked_om(bytes, name);
   const OmMesh mesh = open_mesh(file, name);
   Polygons polygons = attributes_of(mesh, file, name);
@@ -91,4 +91,4 @@ Polygons read_om(std::string_view bytes, std::string_view name) {
   return polygons;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::om

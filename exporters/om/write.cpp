@@ -6,7 +6,7 @@
 #include "exporters/om/format.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::om {
 namespace {
 
 struct FlatTraits : OpenMesh::DefaultTraitsDouble {
@@ -33,7 +33,7 @@ FlatMesh to_open_mesh(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void write_om(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions&) {
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions&) {
   omlog().disable();
   omerr().disable();
   const FlatMesh surface = to_open_mesh(mesh);
@@ -48,4 +48,4 @@ void write_om(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOpti
   if (!OpenMesh::IO::write_mesh(surface, stream, ".om", options)) stream.setstate(std::ios::badbit);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::om

@@ -3,8 +3,8 @@
 namespace lumaknot {
 
 extern const MeshFormat kPlyFormat{.endings = {".ply"},
-                                   .read = read_whole<read_ply>,
-                                   .write = write_whole<write_ply>,
+                                   .read = read_whole<ply::read>,
+                                   .write = write_whole<ply::write>,
                                    .has_text = true,
                                    .has_binary = true,
                                    .has_quads = true};

@@ -3,13 +3,13 @@
 
 #include "exporters/mesh/format.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 
 /// As text or binary of either byte order. Texture coordinates are the vertices' s, t; u, v or
 /// texture_u, texture_v, or the faces' list texcoord.
-Polygons read_ply(std::string_view bytes, std::string_view name);
+Polygons read(std::string_view bytes, std::string_view name);
 
 /// x y z nx ny nz s t, little-endian or text.
-void write_ply(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

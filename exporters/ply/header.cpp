@@ -8,7 +8,7 @@
 
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 namespace {
 
 constexpr std::pair<std::string_view, PlyType> kTypes[] = {
@@ -106,4 +106,4 @@ PlyHeader ply_header(std::string_view bytes, std::string_view name) {
   return header;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::ply {
 
 enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
 enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
@@ -38,4 +38,4 @@ struct PlyHeader {
 /// The header at the beginning of `bytes`. Throws Error with the line, calling the file `name`.
 PlyHeader ply_header(std::string_view bytes, std::string_view name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

@@ -10,7 +10,7 @@
 #include "exporters/ply/values.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 namespace {
 
 /// The meanings of a vertex's numbers.
@@ -221,7 +221,7 @@ class PlyReader {
 
 }  // namespace
 
-Polygons read_ply(std::string_view bytes, std::string_view name) {
+Polygons read(std::string_view bytes, std::string_view name) {
   const PlyHeader header = ply_header(bytes, name);
   Polygons polygons = header.encoding == PlyEncoding::kText
                           ? PlyReader<PlyText>(bytes, name, header).take()
@@ -230,4 +230,4 @@ Polygons read_ply(std::string_view bytes, std::string_view name) {
   return polygons;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

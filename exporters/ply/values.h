@@ -10,7 +10,7 @@
 #include "exporters/ply/header.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 
 /// One element per line.
 class PlyText {
@@ -115,4 +115,4 @@ class PlyBinary {
   bool swaps_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

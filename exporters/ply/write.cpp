@@ -5,7 +5,7 @@
 #include "exporters/text/little_endian.h"
 #include "exporters/text/numbers.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 namespace {
 
 std::string header(const TriangleMesh& mesh, const MeshFileOptions& options) {
@@ -46,9 +46,9 @@ void write_text(std::ostream& stream, const TriangleMesh& mesh, bool quads) {
 
 }  // namespace
 
-void write_ply(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
   stream << header(mesh, options);
   (options.ascii ? write_text : write_binary)(stream, mesh, options.quads);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

@@ -3,7 +3,7 @@
 
 #include "exporters/mesh/format.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 /// The mesh2 objects of a POV-Ray scene, given in plain numbers. Textures are skipped.
 Polygons read_pov(std::string_view bytes, std::string_view name);
@@ -15,4 +15,4 @@ void write_pov_include(std::ostream& stream, const TriangleMesh& mesh,
 /// The data of a mesh2: vertices, normals, texture coordinates, triangles.
 void write_pov_mesh(std::ostream& stream, const TriangleMesh& mesh);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -8,7 +8,7 @@
 #include "exporters/povray/text.h"
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 /// POV-Ray's attenuation: 2 / (1 + (d / distance)^power), times `scale`.
@@ -76,4 +76,4 @@ std::string pov_lights(const View& view, Space space, const Vec3d& tint) {
   return text;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -5,7 +5,7 @@
 
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 /// Widest angle between the axis of POV-Ray's spot and the edge of its cone, degrees.
 inline constexpr double kPovWidestSpot = 90;
@@ -16,4 +16,4 @@ inline bool has_pov_falloff(const Falloff& f) { return f.linear == 0 || f.quadra
 /// The lights of `view` for a material of `space`, each colour times `tint`.
 std::string pov_lights(const View& view, Space space, const Vec3d& tint);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -9,7 +9,7 @@
 #include "exporters/povray/tokens.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 class PovReader {
@@ -219,4 +219,4 @@ Polygons read_pov(std::string_view bytes, std::string_view name) {
   return PovReader(bytes, name).take();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

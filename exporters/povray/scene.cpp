@@ -12,7 +12,7 @@
 #include "exporters/povray/texture.h"
 #include "shaders/spaces/conversions.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 /// The field of view as the lengths of `right` and `up` for a unit `direction`; explicit vectors
@@ -111,4 +111,4 @@ Package pov_package(const Scene& scene, const std::string& name) {
   return package;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -16,7 +16,7 @@
 #include "scene/shot.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 /// Why POV-Ray can't draw `shot` by its own lighting, or empty when it can. That it turns normals
 /// to the viewer and leaves out highlights where n.l <= 0 is not reported here.
@@ -54,4 +54,4 @@ Package pov_textures(const Texture& texture, std::span<const Shot> shots,
 /// as check_pov_export() does.
 Package pov_package(const Scene& scene, const std::string& name);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

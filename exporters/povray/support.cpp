@@ -11,7 +11,7 @@
 #include "shaders/formulas/lighting.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 /// Something that POV-Ray can't do.
@@ -148,4 +148,4 @@ void check_pov_export(const View& view, const Shot& shot) {
   if (lack) throw Error(*lack);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -7,7 +7,7 @@
 
 #include "math/vec.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 inline std::string pov_vector(const Vec3d& v) { return fmt::format("<{}, {}, {}>", v.x, v.y, v.z); }
 
@@ -18,4 +18,4 @@ inline std::string pov_color(const Vec3d& color) {
   return is_grey(color) ? fmt::format("rgb {}", color.x) : "rgb " + pov_vector(color);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

@@ -9,7 +9,7 @@
 #include "scene/fields.h"
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 constexpr Vec3d kWhite{1, 1, 1};
@@ -195,4 +195,4 @@ PovTexture pov_texture(const View& view, const Texture& texture, const Shot& sho
   return result;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

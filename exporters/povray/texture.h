@@ -7,7 +7,7 @@
 #include "scene/shot.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 /// How POV-Ray draws the terms of the material's model.
 PovTerm diffuse_in_pov(const Material& material);
@@ -35,4 +35,4 @@ struct PovTexture {
 PovTexture pov_texture(const View& view, const Texture& texture, const Shot& shot,
                        const std::string& prefix);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

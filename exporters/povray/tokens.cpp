@@ -7,7 +7,7 @@
 
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -96,4 +96,4 @@ void PovTokens::pass_number() {
   while (is_digit(at(0))) ++at_;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

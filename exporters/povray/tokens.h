@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::povray {
 
 /// The remedy for a .pov or .inc file that ends too early.
 inline constexpr std::string_view kPovRemedy = "export the mesh again";
@@ -46,4 +46,4 @@ class PovTokens {
   std::uint64_t line_ = 1;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

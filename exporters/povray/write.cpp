@@ -4,7 +4,7 @@
 #include "exporters/text/numbers.h"
 #include "exporters/text/parallel_writer.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 template <class Vector>
@@ -47,4 +47,4 @@ void write_pov_include(std::ostream& stream, const TriangleMesh& mesh, const Mes
   stream << "}\n";
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

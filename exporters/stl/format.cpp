@@ -3,8 +3,8 @@
 namespace lumaknot {
 
 extern const MeshFormat kStlFormat{.endings = {".stl"},
-                                   .read = read_whole<read_stl>,
-                                   .write = write_whole<write_stl>,
+                                   .read = read_whole<stl::read>,
+                                   .write = write_whole<stl::write>,
                                    .has_text = true,
                                    .has_binary = true};
 

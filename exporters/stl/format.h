@@ -3,12 +3,12 @@
 
 #include "exporters/mesh/format.h"
 
-namespace lumaknot {
+namespace lumaknot::stl {
 
 /// As text or binary. Equal positions are merged; each facet's normal is its corners'.
-Polygons read_stl(std::string_view bytes, std::string_view name);
+Polygons read(std::string_view bytes, std::string_view name);
 
 /// Little-endian or text, with the facets' own normals; zero where a facet has no area.
-void write_stl(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stl

@@ -10,7 +10,7 @@
 #include "exporters/stl/format.h"
 #include "exporters/text/scanner.h"
 
-namespace lumaknot {
+namespace lumaknot::stl {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read without conversion");
@@ -147,7 +147,7 @@ Polygons read_binary(std::string_view bytes, std::string_view name) {
 
 }  // namespace
 
-Polygons read_stl(std::string_view bytes, std::string_view name) {
+Polygons read(std::string_view bytes, std::string_view name) {
   const std::uint64_t count = facets_said(bytes);
   // Binary files may begin with "solid" too, but no text has this size by chance.
   if (bytes.size() == kHeaderSize + count * kFacetSize) return read_binary(bytes, name);
@@ -162,4 +162,4 @@ Polygons read_stl(std::string_view bytes, std::string_view name) {
                   bytes.size(), kExportAgain));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stl

@@ -5,7 +5,7 @@
 #include "exporters/text/numbers.h"
 #include "exporters/text/parallel_writer.h"
 
-namespace lumaknot {
+namespace lumaknot::stl {
 namespace {
 
 using Corners = std::array<Vec3d, 3>;
@@ -57,7 +57,7 @@ void write_text(std::ostream& stream, const TriangleMesh& mesh) {
 
 }  // namespace
 
-void write_stl(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
+void write(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOptions& options) {
   if (options.ascii) {
     write_text(stream, mesh);
   } else {
@@ -65,4 +65,4 @@ void write_stl(std::ostream& stream, const TriangleMesh& mesh, const MeshFileOpt
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stl

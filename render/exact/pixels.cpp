@@ -5,7 +5,7 @@
 
 #include "render/exact/truth.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 double size_of(const Sample& s) {
@@ -216,4 +216,4 @@ std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, do
   return row;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

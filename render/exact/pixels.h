@@ -6,7 +6,7 @@
 #include "render/exact/tube.h"
 #include "render/shading.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 
 /// A colour and its coverage.
 struct Sample {
@@ -63,4 +63,4 @@ struct PixelTruth {
 /// elsewhere each sample casts its own ray.
 std::vector<PixelTruth> area_row(const ExactPixels& pixels, int y, int width, double tolerance);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

@@ -6,7 +6,7 @@
 
 #include "render/exact/pixels.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 std::vector<PixelTruth> point_row(const ExactPixels& pixels, int y, int width) {
@@ -63,4 +63,4 @@ Image render_truth(const Scene& scene, const KnotSpec& knot, const TruthOptions&
   return draw_truth(scene, knot, options, progress).image;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

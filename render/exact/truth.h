@@ -4,7 +4,7 @@
 #include "render/exact/tube.h"
 #include "render/reference.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 
 /// How a pixel of the truth is computed.
 enum class TruthSampling {
@@ -42,4 +42,4 @@ Truth draw_truth(const Scene& scene, const KnotSpec& knot, const TruthOptions& o
 Image render_truth(const Scene& scene, const KnotSpec& knot, const TruthOptions& options = {},
                    const Progress& progress = {});
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

@@ -9,7 +9,7 @@
 #include "scene/check.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 std::vector<Curve> exact_lines(const KnotSpec& knot) {
@@ -59,4 +59,4 @@ ExactFragment ExactTube::first(const Ray& ray, double beyond) const {
   return seen;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

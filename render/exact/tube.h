@@ -7,7 +7,7 @@
 #include "render/exact/tube_rays.h"
 #include "render/rasterizer.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 
 /// The exact tube's point seen by one ray.
 struct ExactFragment {
@@ -36,4 +36,4 @@ class ExactTube {
   TubeRays rays_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

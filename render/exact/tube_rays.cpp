@@ -7,7 +7,7 @@
 
 #include "meshgen/sharpest_bend.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 using Segment = TubeRays::Segment;
@@ -354,4 +354,4 @@ FirstHit TubeRays::first(const Ray& ray, double beyond) const {
   return search.first_result();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

@@ -7,7 +7,7 @@
 
 #include "meshgen/curve.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 
 /// The points origin + s direction; the direction is not zero and need not be unit.
 struct Ray {
@@ -87,4 +87,4 @@ class TubeRays {
   std::vector<Ball> balls_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

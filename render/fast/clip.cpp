@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 /// Distant corners leave few digits for the points where their edges meet the planes.
@@ -143,4 +143,4 @@ void clip_triangles(FrameData& data, std::span<const std::uint32_t> triangles) {
   for (const std::uint32_t t : triangles) clip_triangle(data, t, planes);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

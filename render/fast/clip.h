@@ -3,7 +3,7 @@
 
 #include "render/fast/frame_data.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Fills `run.cut`: the run's triangles with a corner outside, except those behind the near plane.
 void find_cut(const FrameData& data, Run& run);
@@ -12,4 +12,4 @@ void find_cut(const FrameData& data, Run& run);
 /// mesh's own triangles. Their vertices interpolate those of the corners.
 void clip_triangles(FrameData& data, std::span<const std::uint32_t> triangles);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

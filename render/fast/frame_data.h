@@ -19,7 +19,7 @@
 #include "shaders/formulas/lighting.h"
 #include "system/bulk.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Tiles are square; what a thread writes for one tile fits in its second-level cache.
 constexpr int kTile = 64;
@@ -90,7 +90,7 @@ constexpr std::int32_t kNothing = -1, kMixed = -2;
 struct FrameData {
   int width = 0, height = 0;
   int columns = 0, rows = 0;  ///< of tiles
-  FastOptions options;
+  Options options;
   std::span<const SamplePlace> pattern;
   Projection projection{Camera{}, 1, 1};
   double near = 0;
@@ -117,4 +117,4 @@ struct FrameData {
 /// The first of triangles [first, last) that was clipped; empty if none was.
 const Clipped* find_clipped(const FrameData& data, std::uint32_t first, std::uint32_t last);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -6,7 +6,7 @@
 
 #include "render/fast/near_uvs.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 constexpr std::size_t kShortestRun = 1024, kMaxRuns = 64;
@@ -105,7 +105,7 @@ std::vector<Run> runs_of(std::size_t triangles) {
 
 }  // namespace
 
-FrameData frame_data(const Scene& scene, const FastOptions& options) {
+FrameData frame_data(const Scene& scene, const Options& options) {
   FrameData data;
   const EyeLengths lengths(scene.view.camera);
   const Camera camera = lengths(scene.view.camera);
@@ -133,4 +133,4 @@ FrameData frame_data(const Scene& scene, const FastOptions& options) {
   return data;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

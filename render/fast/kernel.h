@@ -5,7 +5,7 @@
 
 #include "render/fast/frame_data.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 class Kernel {
  public:
@@ -27,4 +27,4 @@ std::unique_ptr<Kernel> make_baseline_kernel(FrameData& data);
 std::unique_ptr<Kernel> make_avx2_kernel(FrameData& data);
 std::unique_ptr<Kernel> make_avx512_kernel(FrameData& data);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

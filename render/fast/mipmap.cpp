@@ -5,7 +5,7 @@
 
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 /// The texels covered by one texel of the next level: two, or three if the side is odd. Their
@@ -108,4 +108,4 @@ Mipmap make_mipmap(const Texture& texture, const Material& material, Wrapping wr
   return mipmap;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -8,7 +8,7 @@
 #include "scene/spec.h"
 #include "system/bulk.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// As many levels as the largest texture has, plus a packet's lanes.
 constexpr std::size_t kMaxLevels = 16;
@@ -38,4 +38,4 @@ struct Mipmap {
 /// axes of its space.
 Mipmap make_mipmap(const Texture& texture, const Material& material, Wrapping wrapping, bool all);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 using Tile = std::array<double, 2>;
@@ -71,4 +71,4 @@ class Corners {
 
 NearUvs near_uvs(const TriangleMesh& mesh) { return Corners(mesh).all(); }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -5,7 +5,7 @@
 
 #include "scene/triangle_mesh.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// A mesh's corners, rearranged so that each triangle's texture coordinates begin near zero.
 struct NearUvs {
@@ -18,4 +18,4 @@ struct NearUvs {
 /// triangles subtract different tiles becomes several corners. The mesh's vertices come first.
 NearUvs near_uvs(const TriangleMesh& mesh);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -11,14 +11,14 @@
 #include "render/fast/thread_pool.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 constexpr int kLargestSide = 256 * kTile;
 constexpr std::size_t kMaxTriangles = std::size_t(1) << 28, kMaxVertices = kMaxTriangles;
 constexpr std::size_t kVertexBatch = 2048;  // handed to a thread at once
 
-void check(const Scene& scene, const FastOptions& options) {
+void check(const Scene& scene, const Options& options) {
   const ImageSpec& image = scene.view.image;
   if (sample_pattern(options.samples).empty()) {
     throw Error(fmt::format("--multisample must be 1, 2, 4, 6, 8 or 16, got {}", options.samples));
@@ -103,9 +103,9 @@ SimdLevel best_simd_level() {
   return SimdLevel::kBaseline;
 }
 
-class FastRenderer::Frame {
+class Renderer::Frame {
  public:
-  Frame(const Scene& scene, const FastOptions& options)
+  Frame(const Scene& scene, const Options& options)
       : data_(frame_data(scene, options)),
         kernel_(make_kernel(data_)),
         pool_(options.threads > 0 ? options.threads
@@ -176,14 +176,14 @@ class FastRenderer::Frame {
   };
 };
 
-FastRenderer::FastRenderer(const Scene& scene, const FastOptions& options) {
+Renderer::Renderer(const Scene& scene, const Options& options) {
   check(scene, options);
   frame_ = std::make_unique<Frame>(scene, options);
 }
 
-FastRenderer::~FastRenderer() = default;
+Renderer::~Renderer() = default;
 
-void FastRenderer::draw(Grid<Rgba8>& image) { frame_->draw(image); }
-void FastRenderer::draw(Image& image) { frame_->draw(image); }
+void Renderer::draw(Grid<Rgba8>& image) { frame_->draw(image); }
+void Renderer::draw(Image& image) { frame_->draw(image); }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -8,7 +8,7 @@
 #include "scene/image.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// A display pixel: encoded r'g'b' and coverage, each limited to [0, 1], times 255.
 struct Rgba8 {
@@ -26,7 +26,7 @@ enum class SimdLevel { kBaseline, kAvx2, kAvx512 };
 /// The highest level that this processor supports.
 SimdLevel best_simd_level();
 
-struct FastOptions {
+struct Options {
   int samples =
       1;  ///< of coverage and depth per pixel, shaded once per triangle: 1, 2, 4, 6, 8 or 16
   bool cull_back_faces = false;  ///< drops triangles seen clockwise
@@ -39,13 +39,13 @@ struct FastOptions {
 /// A scene prepared for drawing many frames. Mesh and texture are copied; threads live as long as
 /// the renderer; nothing is allocated after the first frame. The same bytes whatever the number of
 /// threads.
-class FastRenderer {
+class Renderer {
  public:
   /// Throws Error for an unsupported number of samples, images and textures beyond 16384 pixels per
   /// side, meshes of more than 2^28 triangles or vertices, and scenes whose own samples are more
   /// than one.
-  FastRenderer(const Scene& scene, const FastOptions& options);
-  ~FastRenderer();
+  Renderer(const Scene& scene, const Options& options);
+  ~Renderer();
 
   /// Draws into `image`, which is resized to the scene's size.
   void draw(Grid<Rgba8>& image);
@@ -56,4 +56,4 @@ class FastRenderer {
   std::unique_ptr<Frame> frame_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -1,6 +1,6 @@
 #include "render/fast/sample_pattern.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 std::span<const SamplePlace> sample_pattern(int samples) {
   static constexpr SamplePlace k1[] = {{0, 0}};
@@ -19,4 +19,4 @@ std::span<const SamplePlace> sample_pattern(int samples) {
   return {};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// A sample's offset from the pixel's centre, in sixteenths of a pixel, y downwards.
 struct SamplePlace {
@@ -15,4 +15,4 @@ struct SamplePlace {
 /// whose samples share no row or column. Empty for other numbers.
 std::span<const SamplePlace> sample_pattern(int samples);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

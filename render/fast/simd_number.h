@@ -7,7 +7,7 @@
 
 #include "math/number.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// The bits of a batch as a `Batch`; xsimd 9 and later require its element type.
 template <class Batch, class T, class A>
@@ -194,4 +194,4 @@ Vec3<Floats<A>> named(const char*, const Vec3<Floats<A>>& v) {
   return v;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -1,6 +1,6 @@
 #include "render/fast/thread_pool.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 /// Waits until `value` is no longer `old`: spins for a few microseconds, since the steps of a frame
@@ -65,4 +65,4 @@ void ThreadPool::run(int count, const std::function<void(int, int)>& task) {
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Threads that wait for work between frames, so that a frame starts no threads and allocates
 /// nothing.
@@ -41,4 +41,4 @@ class ThreadPool {
   std::vector<std::thread> threads_;  // last: they use the members above
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

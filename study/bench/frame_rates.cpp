@@ -14,7 +14,7 @@
 #include "scene/presets.h"
 #include "study/measure/peer_run.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 namespace {
 
 constexpr int kFirstFrames = 3, kMaxFrames = 500;  // per shot and round of a peer
@@ -30,11 +30,11 @@ struct Contender {
 /// Our renderer with each shot's material, ready to draw.
 class OwnFrames {
  public:
-  OwnFrames(const Scene& scene, std::span<const Shot> shots, const FastOptions& options) {
+  OwnFrames(const Scene& scene, std::span<const Shot> shots, const fast::Options& options) {
     for (const Shot& shot : shots) {
       Scene with_material = scene;
       with_material.view.material = shot.material;
-      renderers_.push_back(std::make_unique<FastRenderer>(with_material, options));
+      renderers_.push_back(std::make_unique<fast::Renderer>(with_material, options));
       renderers_.back()->draw(image_);  // the first frame allocates the memory
     }
   }
@@ -58,12 +58,12 @@ class OwnFrames {
   }
 
  private:
-  std::vector<std::unique_ptr<FastRenderer>> renderers_;
-  Grid<Rgba8> image_;
+  std::vector<std::unique_ptr<fast::Renderer>> renderers_;
+  Grid<fast::Rgba8> image_;
 };
 
 Contender own_contender(const Scene& scene, std::span<const Shot> shots, int threads, int samples) {
-  FastOptions options;
+  fast::Options options;
   options.samples = samples;
   options.threads = threads;
   options.filter = Filter::kTrilinear;
@@ -77,19 +77,19 @@ Contender own_contender(const Scene& scene, std::span<const Shot> shots, int thr
   return contender;
 }
 
-std::string how_drawn(Peer peer) {
-  return peer == Peer::kEmbree ? "bilinear, every ray shaded"
-                               : "trilinear, until glFinish, image in the driver's memory";
+std::string how_drawn(measure::Peer peer) {
+  return peer == measure::Peer::kEmbree ? "bilinear, every ray shaded"
+                                        : "trilinear, until glFinish, image in the driver's memory";
 }
 
 /// The number of frames that fill the time, from what frames took so far.
 int frames_for(double seconds, const FrameTimes& last) {
   double milliseconds = 0;
-  for (const std::vector<double>& shot : last) milliseconds += median(shot);
+  for (const std::vector<double>& shot : last) milliseconds += measure::median(shot);
   return int(std::clamp(seconds * 1000 / milliseconds, double(kFirstFrames), double(kMaxFrames)));
 }
 
-FrameTimes times_of(const PeerTimes& peer) {
+FrameTimes times_of(const measure::PeerTimes& peer) {
   FrameTimes times;
   if (peer.milliseconds.size() != times.size()) throw std::runtime_error("told too few times");
   std::ranges::copy(peer.milliseconds, times.begin());
@@ -97,14 +97,14 @@ FrameTimes times_of(const PeerTimes& peer) {
 }
 
 /// Starts the peer once, so that its name and samples are known, and how long frames take.
-Contender peer_contender(Peer peer, const Scene& scene, std::span<const Shot> shots, int threads,
-                         int samples) {
-  const auto run = std::make_shared<PeerRun>(peer, scene, shots,
-                                             PeerOptions{.samples = samples, .threads = threads});
-  const PeerTimes first = run->run(kFirstFrames);
+Contender peer_contender(measure::Peer peer, const Scene& scene, std::span<const Shot> shots,
+                         int threads, int samples) {
+  const auto run = std::make_shared<measure::PeerRun>(
+      peer, scene, shots, measure::PeerOptions{.samples = samples, .threads = threads});
+  const measure::PeerTimes first = run->run(kFirstFrames);
   Contender contender;
   contender.row = {.renderer = first.renderer,
-                   .threads = peer == Peer::kHardwareGl ? 0 : threads,
+                   .threads = peer == measure::Peer::kHardwareGl ? 0 : threads,
                    .samples = first.samples,
                    .how = how_drawn(peer)};
   if (first.samples < samples) {
@@ -137,19 +137,20 @@ void add(Contender contender, std::vector<Contender>& all) {
   if (!known) all.push_back(std::move(contender));
 }
 
-void add_peer(Peer peer, const Scene& scene, std::span<const Shot> shots,
+void add_peer(measure::Peer peer, const Scene& scene, std::span<const Shot> shots,
               const RateOptions& options, std::vector<Contender>& contenders, RateTable& table) {
   try {
-    if (const std::string why = missing_peer(peer); !why.empty()) throw std::runtime_error(why);
+    if (const std::string why = measure::missing_peer(peer); !why.empty())
+      throw std::runtime_error(why);
     std::vector<int> counts = thread_counts(options);
-    if (peer == Peer::kHardwareGl) counts = {0};
+    if (peer == measure::Peer::kHardwareGl) counts = {0};
     for (const int threads : counts) {
       for (const int samples : options.samples) {
         add(peer_contender(peer, scene, shots, threads, samples), contenders);
       }
     }
   } catch (const std::runtime_error& e) {
-    table.missing.push_back({std::string(peer_name(peer)), e.what()});
+    table.missing.push_back({std::string(measure::peer_name(peer)), e.what()});
   }
 }
 
@@ -163,7 +164,8 @@ std::vector<Contender> all_contenders(const Scene& scene, const RateOptions& opt
     }
   }
   if (!options.peers) return contenders;
-  for (const Peer peer : {Peer::kSoftwareGl, Peer::kHardwareGl, Peer::kEmbree}) {
+  for (const measure::Peer peer :
+       {measure::Peer::kSoftwareGl, measure::Peer::kHardwareGl, measure::Peer::kEmbree}) {
     add_peer(peer, scene, shots, options, contenders, table);
   }
   return contenders;
@@ -182,10 +184,10 @@ void draw_round(Contender& contender, double seconds) {
 double ratio_of(const Contender& contender, const Contender& ours) {
   const auto medians = [](const Contender& of) {
     std::vector<double> all;
-    for (const FrameTimes& round : of.rounds) all.push_back(median(round[0]));
+    for (const FrameTimes& round : of.rounds) all.push_back(measure::median(round[0]));
     return all;
   };
-  return paired_ratio(medians(contender), medians(ours));
+  return measure::paired_ratio(medians(contender), medians(ours));
 }
 
 /// Ours on as many threads (a GPU: on the most) and with as many samples, or the next higher number
@@ -221,10 +223,10 @@ Interval<double> cost_interval(std::span<const FrameTimes> rounds, std::size_t s
     for (std::size_t i = 0; i < round[shot].size(); ++i) {
       costs.push_back(1 - round[0][i] / round[shot][i]);
     }
-    medians.push_back(1 - paired_ratio(round[0], round[shot]));
+    medians.push_back(1 - measure::paired_ratio(round[0], round[shot]));
   }
   const auto [min, max] = std::ranges::minmax(medians);
-  const Interval<double> frames = median_interval(std::move(costs));
+  const Interval<double> frames = measure::median_interval(std::move(costs));
   return {std::min(frames.min, min), std::max(frames.max, max)};
 }
 
@@ -249,8 +251,8 @@ void summarise(std::span<const FrameTimes> rounds, RateRow& row) {
     }
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
-    row.milliseconds[i] = spread_of(all[i]);
-    row.costs[i] = 1 - paired_ratio(all[0], all[i]);
+    row.milliseconds[i] = measure::spread_of(all[i]);
+    row.costs[i] = 1 - measure::paired_ratio(all[0], all[i]);
     row.cost_intervals[i] = cost_interval(rounds, i);
   }
 }
@@ -271,4 +273,4 @@ RateTable measure_rates(const Scene& scene, const RateOptions& options, const Pr
   return finished(contenders, std::move(table));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

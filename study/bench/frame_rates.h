@@ -14,7 +14,7 @@
 #include "scene/spec.h"
 #include "study/measure/statistics.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 
 /// What is drawn: eq. 3; eq. 6-8 collapsed; Table 1's listing as it is written.
 inline constexpr std::array<std::string_view, 3> kRateShots{"classical", "yiq", "table1"};
@@ -39,7 +39,7 @@ struct RateRow {
   int threads = 0;       ///< 0: a GPU's driver has its own
   int samples = 1;       ///< per pixel, as drawn
   std::string how;       ///< what is particular to its frames
-  std::array<Spread, kRateShots.size()> milliseconds{};
+  std::array<measure::Spread, kRateShots.size()> milliseconds{};
   std::array<double, kRateShots.size()> costs{};  ///< share of the classical rate that is lost
   /// Of the costs: the median's 95 % interval over all pairs of frames, and each round's median.
   std::array<Interval<double>, kRateShots.size()> cost_intervals{};
@@ -66,4 +66,4 @@ void summarise(std::span<const FrameTimes> rounds, RateRow& row);
 RateTable measure_rates(const Scene& scene, const RateOptions& options,
                         const Progress& progress = {});
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

@@ -7,10 +7,11 @@
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view rates_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -18,7 +19,7 @@ namespace mustache = kainjow::mustache;
 
 constexpr int kName = 46;  // columns of a renderer's name
 
-double rate_of(const Spread& milliseconds) { return 1000 / milliseconds.median; }
+double rate_of(const measure::Spread& milliseconds) { return 1000 / milliseconds.median; }
 
 std::string samples_text(int samples) {
   return samples == 1 ? "none" : fmt::format("{}x", samples);
@@ -71,7 +72,7 @@ std::string notes_text(const RateTable& table) {
   return text;
 }
 
-Json spread_json(const Spread& ms) {
+Json spread_json(const measure::Spread& ms) {
   return {{"frames_per_second", rate_of(ms)},
           {"milliseconds", {{"median", ms.median}, {"least", ms.min}, {"most", ms.max}}}};
 }
@@ -218,4 +219,4 @@ std::string rates_svg(const RateTable& table) {
   return chart.render(chart_data(table));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

@@ -5,7 +5,7 @@
 
 #include "study/bench/frame_rates.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 
 /// A row of the paper's Table 2.
 struct PaperRow {
@@ -26,4 +26,4 @@ std::string rates_json(const RateTable& table);
 /// A bar chart as SVG: each row's classical and YIQ frames per second, the paper's among them.
 std::string rates_svg(const RateTable& table);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

@@ -9,7 +9,7 @@
 #include "render/fast/renderer.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 namespace {
 
 constexpr std::size_t kMinFrames = 5;
@@ -22,14 +22,14 @@ struct Work {
   int samples = 1;
 };
 
-Spread time_frames(const Work& work, const ScalingOptions& options) {
+measure::Spread time_frames(const Work& work, const ScalingOptions& options) {
   using Clock = std::chrono::steady_clock;
-  FastOptions fast;
+  fast::Options fast;
   fast.samples = work.samples;
   fast.threads = options.threads;
   fast.filter = Filter::kTrilinear;
-  FastRenderer renderer(work.scene, fast);
-  Grid<Rgba8> image;
+  fast::Renderer renderer(work.scene, fast);
+  Grid<fast::Rgba8> image;
   renderer.draw(image);  // the first frame allocates the memory
   std::vector<double> times;
   const auto start = Clock::now();
@@ -42,7 +42,7 @@ Spread time_frames(const Work& work, const ScalingOptions& options) {
     times.push_back(1000 * elapsed(before));
     check_interrupted();
   }
-  return spread_of(times);
+  return measure::spread_of(times);
 }
 
 std::vector<Work> growing_triangles(const Scene& scene, const KnotSpec& knot) {
@@ -115,4 +115,4 @@ std::vector<Scaling> measure_scaling(const Scene& scene, const MeshSpec& mesh,
   return all;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

@@ -8,7 +8,7 @@
 #include "scene/spec.h"
 #include "study/measure/statistics.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 
 struct ScalingOptions {
   int threads = 0;       ///< 0: one per core
@@ -17,9 +17,9 @@ struct ScalingOptions {
 
 /// One amount of work.
 struct ScalingStep {
-  std::string name;     ///< "61440 triangles"
-  double work = 0;      ///< triangles, pixels, or samples per pixel
-  Spread milliseconds;  ///< of a frame
+  std::string name;              ///< "61440 triangles"
+  double work = 0;               ///< triangles, pixels, or samples per pixel
+  measure::Spread milliseconds;  ///< of a frame
 };
 
 /// A frame with more and more of one thing, all else as in the scene.
@@ -47,4 +47,4 @@ std::string scaling_json(const std::vector<Scaling>& all);
 /// smallest.
 std::string scaling_svg(const std::vector<Scaling>& all);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

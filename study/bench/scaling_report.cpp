@@ -8,10 +8,11 @@
 
 #include "study/bench/scaling.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view scaling_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -127,7 +128,7 @@ std::string scaling_json(const std::vector<Scaling>& all) {
   for (const Scaling& scaling : all) {
     for (std::size_t i = 0; i < scaling.steps.size(); ++i) {
       const ScalingStep& step = scaling.steps[i];
-      const Spread& ms = step.milliseconds;
+      const measure::Spread& ms = step.milliseconds;
       Json entry{{"name", step.name},
                  {"work", step.work},
                  {"milliseconds", {{"median", ms.median}, {"least", ms.min}, {"most", ms.max}}}};
@@ -152,4 +153,4 @@ std::string scaling_svg(const std::vector<Scaling>& all) {
   return picture.render(chart);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

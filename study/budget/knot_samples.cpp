@@ -5,7 +5,7 @@
 
 #include "math/angle.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 
 KnotGrid::KnotGrid(const KnotSpec& knot, const TriangleMesh& mesh)
     : knot_(knot), mesh_(mesh), layout_(layout_of(knot)) {
@@ -26,7 +26,7 @@ KnotSample KnotGrid::of_mesh(const Fragment& fragment) const {
   return sample;
 }
 
-KnotSample KnotGrid::of_tube(const ExactFragment& fragment) const {
+KnotSample KnotGrid::of_tube(const exact::ExactFragment& fragment) const {
   KnotSample sample{fragment.fragment, fragment.t, fragment.theta};
   if (sample.seen.covered()) {
     sample.seen.normal =
@@ -64,4 +64,4 @@ Vec3d KnotGrid::interpolated_normal(std::size_t component, double t, double thet
   return first + between + last;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

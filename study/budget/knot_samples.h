@@ -6,7 +6,7 @@
 #include "meshgen/knot_mesh.h"
 #include "render/exact/tube.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 
 /// A sample's fragment with its parameters on the tube.
 struct KnotSample {
@@ -24,7 +24,7 @@ class KnotGrid {
   KnotSample of_mesh(const Fragment& fragment) const;
 
   /// A fragment of the exact tube, its normal as the mesh interpolates it there.
-  KnotSample of_tube(const ExactFragment& fragment) const;
+  KnotSample of_tube(const exact::ExactFragment& fragment) const;
 
   /// The exact normal at the sample's parameters.
   Vec3d exact_normal(const KnotSample& sample) const;
@@ -42,4 +42,4 @@ class KnotGrid {
   std::vector<Spine> spines_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

@@ -5,7 +5,7 @@
 
 #include "study/budget/stages.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 namespace {
 
 std::string line(const BudgetPart& part) {
@@ -17,7 +17,7 @@ nlohmann::ordered_json to_json(const BudgetPart& part) {
   return {{"name", part.name}, {"exact", part.exact}, {"rmse", part.rmse}, {"max", part.max}};
 }
 
-void paste(const ErrorMap& map, int x0, int y0, Image& image) {
+void paste(const measure::ErrorMap& map, int x0, int y0, Image& image) {
   constexpr double kGain = 16;
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
@@ -53,7 +53,7 @@ std::string budget_json(const ErrorBudget& budget) {
 
 Image budget_picture(const ErrorBudget& budget) {
   constexpr int kColumns = 4;
-  std::vector<const ErrorMap*> maps{&budget.whole.map};
+  std::vector<const measure::ErrorMap*> maps{&budget.whole.map};
   for (const BudgetPart& part : budget.parts) maps.push_back(&part.map);
   maps.push_back(&budget.left.map);
   const int width = budget.whole.map.width, height = budget.whole.map.height;
@@ -65,4 +65,4 @@ Image budget_picture(const ErrorBudget& budget) {
   return image;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

@@ -15,7 +15,7 @@
 #include "study/measure/empty_scene.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 namespace {
 
 Material in_exact_space(Material material) {
@@ -49,7 +49,7 @@ Fragment with_normal(Fragment seen, const Vec3d& normal) {
 
 /// A picture with each stage swapped by itself.
 struct Swapped {
-  ErrorMap plain, tessellation, normal, unit, space, filter, sampling;
+  measure::ErrorMap plain, tessellation, normal, unit, space, filter, sampling;
 
   Swapped(int width, int height)
       : plain(width, height),
@@ -127,7 +127,7 @@ class Swaps {
     oneapi::tbb::parallel_for(0, image.height, [&](int y) {
       const Grid<Fragment> band = rasterizer.band(y);
       for (int x = 0; x < image.width; ++x) {
-        const ExactFragment exact = pixels_.at(x + 0.5, y + 0.5);
+        const exact::ExactFragment exact = pixels_.at(x + 0.5, y + 0.5);
         swap_in_method(x, y, exact, mesh_samples(x, band), pictures.method);
         swap_in_truth(x, y, exact.fragment, mesh_samples(x, band), pictures.truth);
       }
@@ -152,8 +152,8 @@ class Swaps {
     return samples;
   }
 
-  std::vector<ExactFragment> exact_samples(int x, int y) const {
-    std::vector<ExactFragment> samples;
+  std::vector<exact::ExactFragment> exact_samples(int x, int y) const {
+    std::vector<exact::ExactFragment> samples;
     for (int s = 0; s < samples_ * samples_; ++s) {
       samples.push_back(
           pixels_.at(x + (s % samples_ + 0.5) / samples_, y + (s / samples_ + 0.5) / samples_));
@@ -166,7 +166,7 @@ class Swaps {
     return seen.covered() ? with_normal(seen, grid_.exact_normal(grid_.of_mesh(seen))) : seen;
   }
 
-  void swap_in_method(int x, int y, const ExactFragment& exact,
+  void swap_in_method(int x, int y, const exact::ExactFragment& exact,
                       const std::vector<Fragment>& samples, Swapped& method) const {
     const Fragment& seen = mesh_seen_.at(x, y);
     method.plain.at(x, y) = as_is_.color(seen);
@@ -184,7 +184,7 @@ class Swaps {
   void swap_in_truth(int x, int y, const Fragment& centre, const std::vector<Fragment>& on_mesh,
                      Swapped& truth) const {
     std::vector<Fragment> samples, interpolated, shortened, meshed;
-    for (const ExactFragment& sample : exact_samples(x, y)) {
+    for (const exact::ExactFragment& sample : exact_samples(x, y)) {
       const Fragment &seen = sample.fragment, between = grid_.of_tube(sample).seen;
       samples.push_back(seen);
       interpolated.push_back(between);
@@ -206,7 +206,7 @@ class Swaps {
   int samples_;
   KnotGrid grid_;
   Painter as_is_, unit_, exact_space_, exact_;
-  ExactPixels pixels_;
+  exact::ExactPixels pixels_;
   Grid<Fragment> mesh_seen_;
 };
 
@@ -221,7 +221,7 @@ class Covered {
 
   long long count() const { return static_cast<long long>(pixels_.size()); }
 
-  BudgetPart part(std::string name, std::string exact, ErrorMap map) const {
+  BudgetPart part(std::string name, std::string exact, measure::ErrorMap map) const {
     BudgetPart result{std::move(name), std::move(exact), 0, 0, std::move(map)};
     for (const std::size_t i : pixels_) {
       for (const double channel : components(result.map.pixels[i])) {
@@ -253,12 +253,12 @@ void check(const Scene& scene) {
 /// The fast renderer's picture, in float and in bytes.
 struct FastPictures {
   Image floats;
-  Grid<Rgba8> bytes;
+  Grid<fast::Rgba8> bytes;
 };
 
 FastPictures draw_fast(const Scene& scene) {
   FastPictures drawn;
-  FastRenderer renderer(scene, {});
+  fast::Renderer renderer(scene, {});
   renderer.draw(drawn.floats);
   renderer.draw(drawn.bytes);
   return drawn;
@@ -271,9 +271,9 @@ double root_mean_square(const Grid<float>& values, long long count) {
 }
 
 /// What a stage changes: the mean of its change in the method and in the truth.
-ErrorMap mean_change(const Pictures& p, ErrorMap Swapped::* stage) {
-  ErrorMap change = minus(p.method.plain, p.method.*stage);
-  const ErrorMap in_truth = minus(p.truth.*stage, p.truth.plain);
+measure::ErrorMap mean_change(const Pictures& p, measure::ErrorMap Swapped::* stage) {
+  measure::ErrorMap change = measure::minus(p.method.plain, p.method.*stage);
+  const measure::ErrorMap in_truth = measure::minus(p.truth.*stage, p.truth.plain);
   for (std::size_t i = 0; i < change.pixels.size(); ++i) {
     change.pixels[i] = (change.pixels[i] + in_truth.pixels[i]) / 2.0;
   }
@@ -281,8 +281,8 @@ ErrorMap mean_change(const Pictures& p, ErrorMap Swapped::* stage) {
 }
 
 /// `whole` minus the map of each part.
-ErrorMap remainder_of(ErrorMap whole, const std::vector<BudgetPart>& parts) {
-  for (const BudgetPart& part : parts) whole = minus(std::move(whole), part.map);
+measure::ErrorMap remainder_of(measure::ErrorMap whole, const std::vector<BudgetPart>& parts) {
+  for (const BudgetPart& part : parts) whole = measure::minus(std::move(whole), part.map);
   return whole;
 }
 
@@ -297,21 +297,23 @@ ErrorBudget error_budget(const Scene& scene, const KnotSpec& knot, const BudgetO
   };
   Scene exact{{}, scene.texture, scene.view};
   exact.view.material = in_exact_space(scene.view.material);
-  const Truth truth =
-      draw_truth(exact, knot, {TruthSampling::kArea, options.tolerance}, share(0, 0.5));
+  const exact::Truth truth = exact::draw_truth(
+      exact, knot, {exact::TruthSampling::kArea, options.tolerance}, share(0, 0.5));
   const Pictures swapped = Swaps(scene, knot, options.samples).draw(share(0.5, 1));
   const FastPictures fast = draw_fast(scene);
-  const ErrorMap floats = colors_of(fast.floats), bytes = colors_of(fast.bytes);
+  const measure::ErrorMap floats = measure::colors_of(fast.floats),
+                          bytes = measure::colors_of(fast.bytes);
   const Covered covered(fast.floats, truth.image);
-  if (covered.count() == 0) throw Error(kNothingSeen);
+  if (covered.count() == 0) throw Error(measure::kNothingSeen);
 
-  const ErrorMap& method = swapped.method.plain;
+  const measure::ErrorMap& method = swapped.method.plain;
   ErrorBudget budget;
   budget.pixels = covered.count();
-  const auto add = [&](const char* name, const char* form, ErrorMap map) {
+  const auto add = [&](const char* name, const char* form, measure::ErrorMap map) {
     budget.parts.push_back(covered.part(name, form, std::move(map)));
   };
-  const auto add_swapped = [&](const char* name, const char* form, ErrorMap Swapped::* stage) {
+  const auto add_swapped = [&](const char* name, const char* form,
+                               measure::ErrorMap Swapped::* stage) {
     add(name, form, mean_change(swapped, stage));
   };
   add_swapped("tessellation", "the exact tube", &Swapped::tessellation);
@@ -320,14 +322,15 @@ ErrorBudget error_budget(const Scene& scene, const KnotSpec& knot, const BudgetO
   add_swapped("colour space", "T + (Y_F - Y_T)", &Swapped::space);
   add_swapped("texture filter", "the texture's mean over the pixel", &Swapped::filter);
   add_swapped("sampling", "coverage's and light's mean over the pixel", &Swapped::sampling);
-  add("shading arithmetic", "double", minus(floats, method));
-  add("clamp", "colours beyond [0, 1]", minus(limited(floats), floats));
-  add("quantisation", "no steps of 1/255", minus(bytes, limited(floats)));
-  budget.whole = covered.part("whole", "the truth", minus(bytes, colors_of(truth.image)));
+  add("shading arithmetic", "double", measure::minus(floats, method));
+  add("clamp", "colours beyond [0, 1]", measure::minus(measure::limited(floats), floats));
+  add("quantisation", "no steps of 1/255", measure::minus(bytes, measure::limited(floats)));
+  budget.whole =
+      covered.part("whole", "the truth", measure::minus(bytes, measure::colors_of(truth.image)));
   budget.left = covered.part("left over", "stages that act on each other",
                              remainder_of(budget.whole.map, budget.parts));
   budget.truth_error = root_mean_square(truth.error, budget.pixels);
   return budget;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

@@ -8,14 +8,14 @@
 #include "scene/spec.h"
 #include "study/measure/error_map.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 
 /// One stage of the method and the error it causes.
 struct BudgetPart {
   std::string name;
   std::string exact;  ///< what its exact form is
   double rmse = 0, max = 0;
-  ErrorMap map;
+  measure::ErrorMap map;
 };
 
 /// An image's error by stage. Root mean squares are of all channels of the pixels that the image or
@@ -56,4 +56,4 @@ std::string budget_json(const ErrorBudget& budget);
 /// x 16.
 Image budget_picture(const ErrorBudget& budget);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

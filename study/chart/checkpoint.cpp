@@ -10,7 +10,7 @@
 #include "study/measure/fingerprint.h"
 #include "study/measure/frame_time.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ int kept_truths(const ChartJob& job, const fs::path& folder) {
 int finished_rounds(const Chart& chart, int rounds) {
   const auto lacks = [](int round) {
     return [round](const ChartPoint& p) {
-      return p.method && needs_round(p.milliseconds, std::size_t(round));
+      return p.method && measure::needs_round(p.milliseconds, std::size_t(round));
     };
   };
   int done = 0;
@@ -66,11 +66,11 @@ bool is_truth_file(const fs::path& path) {
   return path.filename().string().starts_with("truth-") && path.extension() == ".exr";
 }
 
-CheckpointKeys chart_keys(const Chart& chart) {
+measure::CheckpointKeys chart_keys(const Chart& chart) {
   return {{"scene", chart.scene_key}, {"program", chart.program_key}};
 }
 
-std::string reason_to_start_again(const LoadResult& stale) {
+std::string reason_to_start_again(const measure::LoadResult& stale) {
   if (stale.field.empty()) return "is not a chart";
   if (stale.field == "scene") return "is of another scene";
   return "is of another lumaknot or another machine";
@@ -78,16 +78,15 @@ std::string reason_to_start_again(const LoadResult& stale) {
 
 std::string chart_standing(const ChartJob& job, const fs::path& folder) {
   Chart wanted;
-  wanted.scene_key = scene_key(job.scene, job.mesh);
-  wanted.program_key = program_key();
+  wanted.scene_key = measure::scene_key(job.scene, job.mesh);
+  wanted.program_key = measure::program_key();
   std::optional<Chart> kept;
-  Checkpoint(folder / kChartFile, chart_keys(wanted)).load([&](const nlohmann::ordered_json& json) {
-    kept = chart_from(json);
-  });
+  measure::Checkpoint(folder / kChartFile, chart_keys(wanted))
+      .load([&](const nlohmann::ordered_json& json) { kept = chart_from(json); });
   const int truths = kept ? kept_truths(job, folder) : 0;
   if (truths == 0) return "nothing is kept yet";
   return fmt::format("{} are measured and kept in {}; the same command goes on",
                      measured(job, *kept, truths), folder.string());
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -8,7 +8,7 @@
 #include "study/chart/points.h"
 #include "study/measure/checkpoint.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 
 inline constexpr const char* kChartFile = "chart.json";
 
@@ -20,7 +20,7 @@ std::filesystem::path truth_file(const std::filesystem::path& folder, Space spac
 bool is_truth_file(const std::filesystem::path& path);
 
 /// The chart's scene and program.
-CheckpointKeys chart_keys(const Chart& chart);
+measure::CheckpointKeys chart_keys(const Chart& chart);
 
 /// All of a chart except its keys.
 nlohmann::ordered_json chart_values(const Chart& chart);
@@ -29,6 +29,6 @@ nlohmann::ordered_json chart_values(const Chart& chart);
 Chart chart_from(const nlohmann::ordered_json& json);
 
 /// Why a stale chart.json is of no use: "is of another scene".
-std::string reason_to_start_again(const LoadResult& stale);
+std::string reason_to_start_again(const measure::LoadResult& stale);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -13,7 +13,7 @@
 #include "system/error.h"
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 constexpr int kPeerFrames = 30;
@@ -28,27 +28,29 @@ Scene one_sample(Scene scene) {
 }
 
 /// "768x40", "mesh".
-std::string grid_name(const Method& own) {
-  const std::string name = method_name(own);
+std::string grid_name(const measure::Method& own) {
+  const std::string name = measure::method_name(own);
   return name.substr(0, name.find(' '));
 }
 
 /// The emitted GLSL on Mesa's software driver, frames until glFinish.
 class SoftwareGl final : public OtherProgram {
  public:
-  std::string name() const override { return std::string(peer_name(Peer::kSoftwareGl)); }
+  std::string name() const override {
+    return std::string(measure::peer_name(measure::Peer::kSoftwareGl));
+  }
 
   OtherResult measure(const Scene& scene, std::span<const Space> spaces,
-                      const Method& own) override {
+                      const measure::Method& own) override {
     OtherResult result;
-    if (const std::string why = missing_peer(Peer::kSoftwareGl); !why.empty()) {
+    if (const std::string why = measure::missing_peer(measure::Peer::kSoftwareGl); !why.empty()) {
       result.missing.push_back({name(), why});
       return result;
     }
     std::vector<Shot> shots;
     for (const Space space : spaces) {
-      shots.push_back(
-          {std::string(name_of(space)), Stage::kFinal, true_material(scene.view.material, space)});
+      shots.push_back({std::string(name_of(space)), Stage::kFinal,
+                       measure::true_material(scene.view.material, space)});
     }
     try {
       for (const int samples : {1, 4}) {
@@ -63,8 +65,9 @@ class SoftwareGl final : public OtherProgram {
  private:
   void add_frames(const Scene& scene, std::span<const Shot> shots, std::span<const Space> spaces,
                   int samples, const std::string& grid, OtherResult& result) const {
-    const PeerRun run(Peer::kSoftwareGl, scene, shots, {.samples = samples, .threads = 1});
-    const PeerTimes times = run.run(kPeerFrames);
+    const measure::PeerRun run(measure::Peer::kSoftwareGl, scene, shots,
+                               {.samples = samples, .threads = 1});
+    const measure::PeerTimes times = run.run(kPeerFrames);
     for (std::size_t i = 0; i < shots.size(); ++i) {
       result.frames.push_back({fmt::format("{} {} pixel {} float trilinear {}x", name(), grid,
                                            name_of(spaces[i]), times.samples),
@@ -94,24 +97,25 @@ std::vector<double> blender_frames(std::string_view log) {
 /// A renderer of validate/.
 class ValidatedRenderer final : public OtherProgram {
  public:
-  explicit ValidatedRenderer(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
+  explicit ValidatedRenderer(std::unique_ptr<validate::Renderer> renderer)
+      : renderer_(std::move(renderer)) {}
 
   std::string name() const override { return renderer_->name(); }
 
   OtherResult measure(const Scene& scene, std::span<const Space> spaces,
-                      const Method& own) override {
+                      const measure::Method& own) override {
     const Scene drawn = one_sample(scene);
     const std::vector<Shot> shots = shots_of(drawn, spaces);
-    const Rendering rendering = renderer_->draw(drawn, shots);
+    const validate::Rendering rendering = renderer_->draw(drawn, shots);
     OtherResult result;
     const std::vector<double> milliseconds = blender_frames(rendering.log);
     const bool own_timer = milliseconds.size() == shots.size();
     const double rest = own_timer || !drew_all(rendering) ? 0 : time_of_first(drawn, shots);
     for (std::size_t i = 0; i < spaces.size(); ++i) {
-      const RenderedShot& first = rendering.shots[i * kCopies];
+      const validate::RenderedShot& first = rendering.shots[i * kCopies];
       const std::string name =
           fmt::format("{} {} pixel {} 1x", this->name(), grid_name(own), name_of(spaces[i]));
-      if (first.status != RenderedShot::Status::kDrawn) {
+      if (first.status != validate::RenderedShot::Status::kDrawn) {
         result.missing.push_back({name, first.why});
         continue;
       }
@@ -138,15 +142,15 @@ class ValidatedRenderer final : public OtherProgram {
     for (const Space space : spaces) {
       for (int copy = 0; copy < kCopies; ++copy) {
         shots.push_back({fmt::format("{}-{}", name_of(space), copy), Stage::kFinal,
-                         true_material(scene.view.material, space)});
+                         measure::true_material(scene.view.material, space)});
       }
     }
     return shots;
   }
 
-  static bool drew_all(const Rendering& rendering) {
-    return std::ranges::all_of(rendering.shots, [](const RenderedShot& drawn) {
-      return drawn.status == RenderedShot::Status::kDrawn;
+  static bool drew_all(const validate::Rendering& rendering) {
+    return std::ranges::all_of(rendering.shots, [](const validate::RenderedShot& drawn) {
+      return drawn.status == validate::RenderedShot::Status::kDrawn;
     });
   }
 
@@ -155,7 +159,7 @@ class ValidatedRenderer final : public OtherProgram {
     return renderer_->draw(scene, shots.first(1)).seconds;
   }
 
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<validate::Renderer> renderer_;
 };
 
 }  // namespace
@@ -164,9 +168,9 @@ std::vector<std::unique_ptr<OtherProgram>> other_programs() {
   std::vector<std::unique_ptr<OtherProgram>> all;
   all.push_back(std::make_unique<SoftwareGl>());
   for (const char* name : {"Cycles", "POV-Ray", "Eevee"}) {
-    all.push_back(std::make_unique<ValidatedRenderer>(renderer_entry(name).make({})));
+    all.push_back(std::make_unique<ValidatedRenderer>(validate::renderer_entry(name).make({})));
   }
   return all;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -9,7 +9,7 @@
 #include "scene/spec.h"
 #include "study/chart/points.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 
 /// One frame of another program, and how long such frames took.
 struct OtherFrame {
@@ -34,10 +34,10 @@ class OtherProgram {
 
   /// Draws `scene`, whose mesh is that of `own`, in each space. Throws only Interrupted.
   virtual OtherResult measure(const Scene& scene, std::span<const Space> spaces,
-                              const Method& own) = 0;
+                              const measure::Method& own) = 0;
 };
 
 /// llvmpipe, Cycles, POV-Ray and Eevee.
 std::vector<std::unique_ptr<OtherProgram>> other_programs();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

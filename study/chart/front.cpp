@@ -4,7 +4,7 @@
 
 #include "study/chart/points.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 /// A point as the front sees it.
@@ -52,24 +52,25 @@ Fronts fronts_of(const Chart& chart, const Metric& metric) {
 /// distance to the median (a normal distribution's is 0.6745 sigma, and its median's standard error
 /// 1.2533 sigma / sqrt(n)).
 double open_share(const std::vector<double>& ratios) {
-  const double middle = median(ratios);
+  const double middle = measure::median(ratios);
   std::vector<double> distances;
   for (const double ratio : ratios) distances.push_back(std::abs(ratio / middle - 1));
-  const double sigma = median(distances) / 0.6745;
+  const double sigma = measure::median(distances) / 0.6745;
   return 3 * 1.2533 * sigma / std::sqrt(double(ratios.size()));
 }
 
 }  // namespace
 
-std::optional<Spread> frame_time(const Chart& chart, const ChartPoint& point) {
+std::optional<measure::Spread> frame_time(const Chart& chart, const ChartPoint& point) {
   if (point.milliseconds.empty()) return std::nullopt;
-  if (!point.method) return spread_of(point.milliseconds);
+  if (!point.method) return measure::spread_of(point.milliseconds);
   const auto is_baseline = [&](const ChartPoint& p) { return p.name == chart.baseline; };
   const auto baseline = std::ranges::find_if(chart.points, is_baseline);
   if (baseline == chart.points.end() || baseline->milliseconds.empty()) return std::nullopt;
-  const double milliseconds = median(baseline->milliseconds);
-  const Spread ratio = spread_of(point.ratios);
-  return Spread{ratio.median * milliseconds, ratio.min * milliseconds, ratio.max * milliseconds};
+  const double milliseconds = measure::median(baseline->milliseconds);
+  const measure::Spread ratio = measure::spread_of(point.ratios);
+  return measure::Spread{ratio.median * milliseconds, ratio.min * milliseconds,
+                         ratio.max * milliseconds};
 }
 
 std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, std::size_t truth,
@@ -118,4 +119,4 @@ std::vector<std::size_t> contested_points(const Chart& chart, const Metric& metr
   return contested;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

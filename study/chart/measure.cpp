@@ -18,7 +18,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,15 +29,15 @@ constexpr int kMeshSamples = 8;  // per side, of the area truth of a mesh file
 constexpr double kTruthEnd = 0.3, kErrorsEnd = 0.6, kOthersEnd = 0.75;  // of the progress
 
 /// The exact pictures, by space and index of kTruthNames.
-using Truths = std::map<std::pair<Space, std::size_t>, SeenImage>;
+using Truths = std::map<std::pair<Space, std::size_t>, measure::SeenImage>;
 
 bool covers_something(const Image& image) {
   return std::ranges::any_of(image.pixels, [](const RgbaPixel& p) { return p.coverage > 0; });
 }
 
 /// The scene's own grid in the first space, the method that `lumaknot bench` draws.
-Method baseline(const ChartJob& job) {
-  Method method{.space = job.spaces.front()};
+measure::Method baseline(const ChartJob& job) {
+  measure::Method method{.space = job.spaces.front()};
   if (const auto* knot = std::get_if<KnotSpec>(&job.mesh)) {
     method.segments = knot->segments;
     method.sides = knot->sides;
@@ -48,8 +48,8 @@ Method baseline(const ChartJob& job) {
 /// The chart with nothing measured.
 Chart empty_chart(const ChartJob& job) {
   Chart chart;
-  chart.scene_key = scene_key(job.scene, job.mesh);
-  chart.program_key = program_key();
+  chart.scene_key = measure::scene_key(job.scene, job.mesh);
+  chart.program_key = measure::program_key();
   chart.width = job.scene.view.image.width;
   chart.height = job.scene.view.image.height;
   const bool exact = std::holds_alternative<KnotSpec>(job.mesh);
@@ -58,17 +58,19 @@ Chart empty_chart(const ChartJob& job) {
                             "the mesh itself in double, since a mesh file has no exact "
                             "surface; area by {0} x {0} samples",
                             kMeshSamples);
-  const std::vector<Method> methods = usual_methods(job.mesh, job.scene.texture, job.spaces);
-  for (const Method& method : methods) {
-    chart.points.push_back({method_name(method), method, method.space, {}, {}, {}, {}});
+  const std::vector<measure::Method> methods =
+      usual_methods(job.mesh, job.scene.texture, job.spaces);
+  for (const measure::Method& method : methods) {
+    chart.points.push_back({measure::method_name(method), method, method.space, {}, {}, {}, {}});
   }
-  chart.baseline = method_name(baseline(job));
+  chart.baseline = measure::method_name(baseline(job));
   return chart;
 }
 
 /// The frames that all others are timed against.
-DrawFrame baseline_frame(const ChartJob& job) {
-  const auto renderer = std::make_shared<MethodRenderer>(baseline(job), job.scene, kTimedThreads);
+measure::DrawFrame baseline_frame(const ChartJob& job) {
+  const auto renderer =
+      std::make_shared<measure::MethodRenderer>(baseline(job), job.scene, measure::kTimedThreads);
   return [renderer] { renderer->draw(); };
 }
 
@@ -97,7 +99,7 @@ class ChartRun {
   /// Takes over what the folder holds of this chart; returns whether it holds it. Writes nothing:
   /// a scene may cover no pixel.
   bool resume(const std::function<void(const std::string&)>& on_message) {
-    const LoadResult result =
+    const measure::LoadResult result =
         checkpoint_.load([&](const nlohmann::ordered_json& json) { take_over(chart_from(json)); });
     if (result.stale()) {
       on_message(fmt::format("{} {}: measured again", (folder_ / kChartFile).string(),
@@ -134,11 +136,11 @@ class ChartRun {
 
   Image draw_truth_image(Space space, bool area, const Progress& progress) const {
     Scene scene = job_.scene;
-    scene.view.material = true_material(scene.view.material, space);
+    scene.view.material = measure::true_material(scene.view.material, space);
     if (const auto* knot = std::get_if<KnotSpec>(&job_.mesh)) {
-      TruthOptions options;
-      options.sampling = area ? TruthSampling::kArea : TruthSampling::kPoint;
-      return render_truth(scene, *knot, options, progress);
+      exact::TruthOptions options;
+      options.sampling = area ? exact::TruthSampling::kArea : exact::TruthSampling::kPoint;
+      return exact::render_truth(scene, *knot, options, progress);
     }
     scene.view.image.samples = area ? kMeshSamples : 1;
     return render(scene, progress);
@@ -167,9 +169,9 @@ class ChartRun {
           writes = true;
         }
         if (writes) write_truths(unwritten);
-        truths[{space, truth}] = seen(std::move(*image));
+        truths[{space, truth}] = measure::seen(std::move(*image));
       }
-      if (!writes) throw Error(kNothingSeen);
+      if (!writes) throw Error(measure::kNothingSeen);
     }
     keep();
     return truths;
@@ -192,9 +194,9 @@ class ChartRun {
   }
 
   static void set_errors(ChartPoint& point, const Image& image, int samples, const Truths& truths) {
-    const SeenImage drawn = seen(image);
-    if (samples == 1) point.errors[0] = errors_between(truths.at({point.space, 0}), drawn);
-    point.errors[1] = errors_between(truths.at({point.space, 1}), drawn);
+    const measure::SeenImage drawn = measure::seen(image);
+    if (samples == 1) point.errors[0] = measure::errors_between(truths.at({point.space, 0}), drawn);
+    point.errors[1] = measure::errors_between(truths.at({point.space, 1}), drawn);
   }
 
   void measure_errors(const Truths& truths) {
@@ -238,7 +240,8 @@ class ChartRun {
     for (int round = 0; round < job_.rounds; ++round) {
       for (ChartPoint& point : chart_.points) {
         report(kOthersEnd, 1, ++done / steps);
-        if (point.method && needs_round(point.milliseconds, std::size_t(round))) time(point);
+        if (point.method && measure::needs_round(point.milliseconds, std::size_t(round)))
+          time(point);
         check_interrupted();
       }
       keep();
@@ -265,7 +268,7 @@ class ChartRun {
   }
 
   void time(ChartPoint& point) {
-    const FrameRound round = bench_.time(*point.method);
+    const measure::FrameRound round = bench_.time(*point.method);
     point.ratios.push_back(round.ratio);
     point.milliseconds.push_back(round.milliseconds);
   }
@@ -274,8 +277,8 @@ class ChartRun {
   fs::path folder_;
   const Progress& progress_;
   Chart chart_;
-  Checkpoint checkpoint_;
-  MethodBench bench_;
+  measure::Checkpoint checkpoint_;
+  measure::MethodBench bench_;
 };
 
 }  // namespace
@@ -291,4 +294,4 @@ Chart measure_chart(const ChartJob& job, const fs::path& folder, const Progress&
   return ChartRun(job, folder, progress).run(on_message);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -5,10 +5,11 @@
 #include "study/chart/points.h"
 #include "validate/report/page_kit.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view chart_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::chart {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -31,7 +32,7 @@ std::string metrics_json() {
 }  // namespace
 
 std::string chart_html(const Chart& chart, const std::string& scene) {
-  PageData page;
+  validate::PageData page;
   page.set("scene", scene);
   page.set("points", std::to_string(chart.points.size()));
   page.set("width", std::to_string(chart.width));
@@ -40,15 +41,15 @@ std::string chart_html(const Chart& chart, const std::string& scene) {
   page.set("baseline", chart.baseline);
   page.set("same_time", fmt::format("{:.0f}", 100 * kSameTime));
   page.set("same_error", fmt::format("{:.0f}", 100 * kSameError));
-  page.set("missing", page_list(chart.missing, [](const MissingPoint& m) {
-             PageData row;
+  page.set("missing", validate::page_list(chart.missing, [](const MissingPoint& m) {
+             validate::PageData row;
              row.set("name", m.name);
              row.set("why", m.why);
              return row;
            }));
   page.set("chart", for_script(Json::parse(chart_json(chart)).dump()));
   page.set("metrics", for_script(metrics_json()));
-  return render_page(embedded::chart_template(), std::move(page));
+  return validate::render_page(embedded::chart_template(), std::move(page));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

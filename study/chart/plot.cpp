@@ -7,7 +7,7 @@
 #include "scene/fields.h"
 #include "study/chart/points.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 /// Points that are drawn alike.
@@ -23,8 +23,8 @@ constexpr std::array<Group, 5> kGroups{{{"float, light a pixel", "pt 7 ps 0.9 lc
 
 std::size_t group_of(const ChartPoint& point) {
   if (!point.method) return 4;
-  if (point.method->number == Number::kHalf) return 3;
-  if (point.method->number == Number::kDouble) return 2;
+  if (point.method->number == measure::Number::kHalf) return 3;
+  if (point.method->number == measure::Number::kDouble) return 2;
   return point.method->rate == ShadingFrequency::kVertex ? 1 : 0;
 }
 
@@ -55,7 +55,7 @@ std::string group_rows(const Chart& chart, const Metric& metric, std::size_t tru
   std::string rows;
   for (const ChartPoint& point : chart.points) {
     if (group_of(point) != group || !is_shown(chart, point, truth)) continue;
-    const Spread time = *frame_time(chart, point);
+    const measure::Spread time = *frame_time(chart, point);
     rows += fmt::format("{} {} {} {}\n", time.median, shown_error(point, metric, truth), time.min,
                         time.max);
   }
@@ -113,8 +113,8 @@ std::string front_labels(const Chart& chart, const Metric& metric, std::size_t t
       const double y = 1 - double(kTop + kPanel + kBelow + kLine * number) / height;
       labels += fmt::format(
           "set label '{:>2}  {:>7} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n", ++number,
-          shown_time(frame_time(chart, point)->median), (*point.errors[truth]).*metric.value,
-          escaped(point.name), truth == 0 ? 0.05 : 0.54, y);
+          measure::shown_time(frame_time(chart, point)->median),
+          (*point.errors[truth]).*metric.value, escaped(point.name), truth == 0 ? 0.05 : 0.54, y);
     }
   }
   return labels;
@@ -176,7 +176,7 @@ std::string ranges(const Chart& chart, const Metric& metric) {
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     for (const ChartPoint& point : chart.points) {
       if (!is_shown(chart, point, truth)) continue;
-      const Spread time = *frame_time(chart, point);
+      const measure::Spread time = *frame_time(chart, point);
       errors.push_back(shown_error(point, metric, truth));
       times.insert(times.end(), {time.min, time.max});
     }
@@ -207,4 +207,4 @@ ChartPicture chart_picture(const Chart& chart, const Metric& metric) {
   return {text + "unset multiplot\n", kWidth, height};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -16,7 +16,7 @@
 #include "study/measure/metrics.h"
 #include "study/measure/statistics.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 
 /// The value of a pixel of the truth: at its centre, the target of methods with one sample, or the
 /// mean over its square, the target of all that antialias; others are compared with it too.
@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> kTruthNames{"point", "area"};
 /// One number of Errors.
 struct Metric {
   std::string_view name, about;
-  double Errors::* value;
+  double measure::Errors::* value;
 };
 
 /// rmse, p99.9, max, deltae, deltae-p99.9, deltae-max, flip.
@@ -34,10 +34,11 @@ std::span<const Metric> chart_metrics();
 /// One method, or one of another program's, with its measurements.
 struct ChartPoint {
   std::string name;
-  std::optional<Method> method;  ///< empty: another program
+  std::optional<measure::Method> method;  ///< empty: another program
   Space space = Space::kRgb;
-  std::string how;                              ///< what is particular to another program's time
-  std::array<std::optional<Errors>, 2> errors;  ///< by kTruthNames; empty if not its target
+  std::string how;  ///< what is particular to another program's time
+  std::array<std::optional<measure::Errors>, 2>
+      errors;  ///< by kTruthNames; empty if not its target
   /// Per round: the shortest time of a few frames over that of the baseline's frames next to them,
   /// and that time itself. Another program's: per frame.
   std::vector<double> ratios, milliseconds;
@@ -60,7 +61,7 @@ struct Chart {
 
 /// Milliseconds per frame: the ratios' median, minimum and maximum times the baseline's median;
 /// other programs': their own. Empty for points without rounds.
-std::optional<Spread> frame_time(const Chart& chart, const ChartPoint& point);
+std::optional<measure::Spread> frame_time(const Chart& chart, const ChartPoint& point);
 
 /// Times and errors count as equal within these shares: a point that is only so much faster or
 /// better does not earn a place on the front, and a machine's noise does not change the front.
@@ -80,8 +81,8 @@ std::vector<Space> spaces_in(const Chart& chart);
 std::vector<std::size_t> contested_points(const Chart& chart, const Metric& metric);
 
 /// The usual methods for a scene with that mesh and texture, in these spaces.
-std::vector<Method> usual_methods(const MeshSpec& mesh, const Texture& texture,
-                                  std::span<const Space> spaces);
+std::vector<measure::Method> usual_methods(const MeshSpec& mesh, const Texture& texture,
+                                           std::span<const Space> spaces);
 
 struct ChartJob {
   Scene scene;
@@ -127,4 +128,4 @@ ChartPicture chart_picture(const Chart& chart, const Metric& metric);
 /// One HTML page that needs nothing else: choose the metric, point at a method.
 std::string chart_html(const Chart& chart, const std::string& scene);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

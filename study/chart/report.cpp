@@ -6,39 +6,39 @@
 #include "scene/fields.h"
 #include "study/chart/checkpoint.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr Metric kMetrics[] = {
-    {"rmse", "RMSE of all channels", &Errors::rmse},
-    {"p99.9", "99.9 % of pixels' largest channels differ by less", &Errors::p999},
-    {"max", "largest difference of a channel", &Errors::max},
-    {"deltae", "mean CIEDE2000", &Errors::delta_e},
-    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &Errors::delta_e_p999},
-    {"deltae-max", "largest CIEDE2000", &Errors::delta_e_max},
-    {"flip", "mean FLIP at 67 pixels a degree", &Errors::flip}};
+    {"rmse", "RMSE of all channels", &measure::Errors::rmse},
+    {"p99.9", "99.9 % of pixels' largest channels differ by less", &measure::Errors::p999},
+    {"max", "largest difference of a channel", &measure::Errors::max},
+    {"deltae", "mean CIEDE2000", &measure::Errors::delta_e},
+    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &measure::Errors::delta_e_p999},
+    {"deltae-max", "largest CIEDE2000", &measure::Errors::delta_e_max},
+    {"flip", "mean FLIP at 67 pixels a degree", &measure::Errors::flip}};
 
-Json method_json(const Method& m) {
+Json method_json(const measure::Method& m) {
   return {{"segments", m.segments},  {"sides", m.sides},          {"rate", int(m.rate)},
           {"space", int(m.space)},   {"formula", int(m.formula)}, {"number", int(m.number)},
           {"filter", int(m.filter)}, {"samples", m.samples},      {"culls", m.culls}};
 }
 
-Method method_from(const Json& json) {
+measure::Method method_from(const Json& json) {
   return {json.at("segments"),
           json.at("sides"),
           ShadingFrequency(json.at("rate").get<int>()),
           Space(json.at("space").get<int>()),
-          Formula(json.at("formula").get<int>()),
-          Number(json.at("number").get<int>()),
+          measure::Formula(json.at("formula").get<int>()),
+          measure::Number(json.at("number").get<int>()),
           Filter(json.at("filter").get<int>()),
           json.at("samples"),
           json.at("culls")};
 }
 
-Json errors_json(const Errors& errors) {
+Json errors_json(const measure::Errors& errors) {
   Json json;
   for (const Metric& metric : kMetrics) json[std::string(metric.name)] = errors.*metric.value;
   return json;
@@ -71,7 +71,7 @@ ChartPoint point_from(const Json& json) {
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     const std::string name(kTruthNames[truth]);
     if (!json.contains("errors") || !json["errors"].contains(name)) continue;
-    Errors errors;
+    measure::Errors errors;
     for (const Metric& metric : kMetrics) {
       errors.*metric.value = json["errors"][name].at(std::string(metric.name));
     }
@@ -157,7 +157,7 @@ Json chart_values(const Chart& chart) {
 }
 
 std::string chart_json(const Chart& chart) {
-  return checkpoint_text(chart_keys(chart), chart_values(chart));
+  return measure::checkpoint_text(chart_keys(chart), chart_values(chart));
 }
 
 Chart chart_from(const Json& json) {
@@ -205,10 +205,10 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
                           kNameWidth, metric.name, "ms", "least..most");
       for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
         const ChartPoint& point = chart.points[i];
-        const Spread time = *frame_time(chart, point);
+        const measure::Spread time = *frame_time(chart, point);
         text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kNameWidth - 2,
-                            (*point.errors[truth]).*metric.value, shown_time(time.median),
-                            shown_time(time.min), shown_time(time.max));
+                            (*point.errors[truth]).*metric.value, measure::shown_time(time.median),
+                            measure::shown_time(time.min), measure::shown_time(time.max));
       }
     }
   }
@@ -223,4 +223,4 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
                     chart.truth, 100 * kSameTime, 100 * kSameError);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

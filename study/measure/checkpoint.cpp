@@ -4,7 +4,7 @@
 
 #include "system/atomic_file.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -52,4 +52,4 @@ void Checkpoint::save_at_intervals(const std::function<Json()>& values) {
   if (std::chrono::steady_clock::now() - saved_ > kInterval) save(values());
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// The fields of a checkpoint that identify what was measured, with their values.
 using CheckpointKeys = std::vector<std::pair<std::string, std::string>>;
@@ -58,4 +58,4 @@ class Checkpoint {
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

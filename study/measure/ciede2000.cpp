@@ -4,7 +4,7 @@
 
 #include "math/angle.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 /// C^7 / (C^7 + 25^7), which scales both corrections of chroma.
@@ -69,4 +69,4 @@ double ciede2000(const Lab<double>& first, const Lab<double>& second) {
   return std::sqrt(l * l + c * c + h * h + rotation(hue, chroma) * c * h);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -5,9 +5,9 @@
 
 #include "shaders/spaces/cielab.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// Delta E 2000 of two colours, k_L = k_C = k_H = 1: about 1 is just seen. Symmetric.
 double ciede2000(const Lab<double>& first, const Lab<double>& second);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

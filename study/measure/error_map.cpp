@@ -4,7 +4,7 @@
 
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 ErrorMap colors_of(const Image& image) {
   ErrorMap map(image.width, image.height);
@@ -13,9 +13,9 @@ ErrorMap colors_of(const Image& image) {
   return map;
 }
 
-ErrorMap colors_of(const Grid<Rgba8>& image) {
+ErrorMap colors_of(const Grid<fast::Rgba8>& image) {
   ErrorMap map(image.width, image.height);
-  std::ranges::transform(image.pixels, map.pixels.begin(), [](const Rgba8& p) {
+  std::ranges::transform(image.pixels, map.pixels.begin(), [](const fast::Rgba8& p) {
     return Vec3d{p.r / 255.0, p.g / 255.0, p.b / 255.0};
   });
   return map;
@@ -31,4 +31,4 @@ ErrorMap minus(ErrorMap a, const ErrorMap& b) {
   return a;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -10,7 +10,7 @@
 #include "scene/json.h"
 #include "system/atomic_file.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 /// FNV-1a with 64 bits: G. Fowler, L. Noll, P. Vo.
@@ -62,4 +62,4 @@ std::string program_key() {
   return hash.text();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -5,7 +5,7 @@
 
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// The key of all numbers, the mesh and the texture's pixels.
 std::string scene_key(const Scene& scene, const MeshSpec& mesh);
@@ -13,4 +13,4 @@ std::string scene_key(const Scene& scene, const MeshSpec& mesh);
 /// The key of this program's file and the processor's name and number of cores.
 std::string program_key();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

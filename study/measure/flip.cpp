@@ -9,7 +9,7 @@
 
 #include "math/angle.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 using Plane = Grid<float>;
@@ -252,4 +252,4 @@ double mean_flip(const FlipImage& reference, const FlipImage& test) {
   return sum / double(errors.pixels.size());
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -5,7 +5,7 @@
 #include "scene/image.h"
 #include "shaders/spaces/cielab.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// Pixels per degree of the viewer's eye: 3840 pixels on 0.7 m, seen from 0.7 m, as in the paper.
 inline constexpr double kFlipPixelsPerDegree = 67.0206432765823;
@@ -26,4 +26,4 @@ Grid<float> flip_errors(const FlipImage& reference, const FlipImage& test);
 /// The mean of all pixels, including the background's: FLIP's usual single number.
 double mean_flip(const FlipImage& reference, const FlipImage& test);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

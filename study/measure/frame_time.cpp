@@ -5,7 +5,7 @@
 
 #include "study/measure/statistics.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 constexpr int kFrames = 3;  // of each round
@@ -35,4 +35,4 @@ bool needs_round(std::span<const double> milliseconds, std::size_t round) {
   return had < kSlowRounds || median({milliseconds.begin(), milliseconds.end()}) < kSlowFrame;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// Draws one frame.
 using DrawFrame = std::function<void()>;
@@ -32,4 +32,4 @@ FrameRound time_round(const DrawFrame& frame, const DrawFrame& baseline);
 /// `round`, counted from 0.
 bool needs_round(std::span<const double> milliseconds, std::size_t round);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -6,7 +6,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 /// The terminal's name with its options; sizes in pixels.
@@ -34,4 +34,4 @@ std::string draw_chart(std::string_view script, ChartFormat format, int width, i
   return read_file(folder.path() / "chart", "gnuplot's chart");
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 enum class ChartFormat { kSvg, kPng };
 
@@ -14,4 +14,4 @@ enum class ChartFormat { kSvg, kPng };
 std::string draw_chart(std::string_view script, ChartFormat format, int width = 640,
                        int height = 400);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -13,7 +13,7 @@
 #include "scene/fields.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 constexpr std::array<std::string_view, 4> kFormulaEnds{"", "-collapsed", "-baked", "-table1"};
@@ -45,7 +45,7 @@ std::string method_shortfall(const Method& m) {
     return "Table 1 needs a space of brightness";
   }
   if (m.number == Number::kFloat) {
-    return sample_pattern(m.samples).empty() ? "float has 1, 2, 4, 6, 8 or 16 samples" : "";
+    return fast::sample_pattern(m.samples).empty() ? "float has 1, 2, 4, 6, 8 or 16 samples" : "";
   }
   if (m.filter == Filter::kTrilinear) return "half and double have no mipmaps";
   if (m.culls) return "half and double draw both sides";
@@ -97,12 +97,12 @@ class MethodRenderer::Frames {
     const bool fast = number_ == Number::kFloat;
     scene_.view.image.samples = fast ? 1 : root_of(method.samples);
     if (!fast) return;
-    FastOptions options;
+    fast::Options options;
     options.samples = method.samples;
     options.filter = method.filter;
     options.cull_back_faces = method.culls;
     options.threads = threads;
-    fast_ = std::make_unique<FastRenderer>(scene_, options);
+    fast_ = std::make_unique<fast::Renderer>(scene_, options);
   }
 
   void draw() {
@@ -127,8 +127,8 @@ class MethodRenderer::Frames {
   Number number_;
   Scene scene_;
   oneapi::tbb::task_arena arena_;
-  std::unique_ptr<FastRenderer> fast_;
-  Grid<Rgba8> bytes_;
+  std::unique_ptr<fast::Renderer> fast_;
+  Grid<fast::Rgba8> bytes_;
 };
 
 MethodRenderer::MethodRenderer(const Method& method, Scene scene, int threads)
@@ -139,4 +139,4 @@ MethodRenderer::~MethodRenderer() = default;
 void MethodRenderer::draw() { frames_->draw(); }
 Image MethodRenderer::image() { return frames_->image(); }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

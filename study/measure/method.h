@@ -8,7 +8,7 @@
 #include "scene/image.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// How the lit colour is computed.
 enum class Formula {
@@ -66,7 +66,7 @@ class MethodRenderer {
  public:
   /// `scene` has the method's mesh; its material and samples are replaced. Draws on
   /// `threads` threads, 0: one per core. Throws Error if there is a method_shortfall(), and as
-  /// FastRenderer does.
+  /// fast::Renderer does.
   MethodRenderer(const Method& method, Scene scene, int threads = 0);
   ~MethodRenderer();
 
@@ -81,4 +81,4 @@ class MethodRenderer {
   std::unique_ptr<Frames> frames_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -2,7 +2,7 @@
 
 #include "meshgen/knot_mesh.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 constexpr std::size_t kMaxVertices = 3'000'000;  // of the meshes that are kept
@@ -44,4 +44,4 @@ FrameRound MethodBench::time(const DrawFrame& frame) {
   return time_round(frame, baseline_);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -9,7 +9,7 @@
 #include "study/measure/frame_time.h"
 #include "study/measure/method.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// One scene's methods.
 class MethodBench {
@@ -41,4 +41,4 @@ class MethodBench {
   std::map<std::pair<int, int>, Scene> scenes_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

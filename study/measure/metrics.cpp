@@ -9,7 +9,7 @@
 #include "study/measure/ciede2000.h"
 #include "validate/compare/quantile.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 Rgb limited(const Rgb& c) {
@@ -66,10 +66,10 @@ Errors errors_between(const SeenImage& truth, const SeenImage& image) {
   for (const double e : d.delta_e) errors.delta_e += e / count;
   errors.max = std::ranges::max(d.channels);
   errors.delta_e_max = std::ranges::max(d.delta_e);
-  errors.p999 = quantile(std::move(d.channels), 0.999);
-  errors.delta_e_p999 = quantile(std::move(d.delta_e), 0.999);
+  errors.p999 = validate::quantile(std::move(d.channels), 0.999);
+  errors.delta_e_p999 = validate::quantile(std::move(d.delta_e), 0.999);
   errors.flip = mean_flip(truth.flip, image.flip);
   return errors;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

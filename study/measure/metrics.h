@@ -4,7 +4,7 @@
 #include "scene/image.h"
 #include "study/measure/flip.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// Errors of what a display shows: colours limited to [0, 1]. All but FLIP are of the pixels that
 /// either image covers, so that the background doesn't dilute them; FLIP is of all.
@@ -27,4 +27,4 @@ SeenImage seen(Image image);
 /// Both have the same size. Zero if neither covers a pixel.
 Errors errors_between(const SeenImage& truth, const SeenImage& image);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -12,7 +12,7 @@
 #include "validate/renderers/gpu_job.h"
 #include "validate/renderers/job_files.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,9 +46,9 @@ std::string view_json(const Scene& scene, const Shot& shot) {
 void write_embree_job(const fs::path& folder, const Scene& scene, std::span<const Shot> shots,
                       const PeerOptions& options) {
   Json json{{"frames", 1}, {"samples", options.samples}, {"threads", options.threads}};
-  json["mesh"] = write_job_mesh(folder, scene.mesh);
+  json["mesh"] = validate::write_job_mesh(folder, scene.mesh);
   if (const auto* image = std::get_if<TextureImage>(&scene.texture)) {
-    json["texture"] = write_job_texture(folder, "texture", *image);
+    json["texture"] = validate::write_job_texture(folder, "texture", *image);
   }
   for (const Shot& shot : shots) {
     write_file(folder / (shot.name + ".json"), view_json(scene, shot), kPlace);
@@ -91,9 +91,9 @@ PeerRun::PeerRun(Peer peer, const Scene& scene, std::span<const Shot> shots,
     write_embree_job(folder_.path(), scene, shots, options);
     return;
   }
-  const GpuTiming timing{1, options.samples, options.cull_back_faces, options.trilinear,
-                         peer == Peer::kHardwareGl};
-  write_gpu_job(folder_.path(), scene, shots, Language::kGlsl330, {}, &timing);
+  const validate::GpuTiming timing{1, options.samples, options.cull_back_faces, options.trilinear,
+                                   peer == Peer::kHardwareGl};
+  validate::write_gpu_job(folder_.path(), scene, shots, Language::kGlsl330, {}, &timing);
 }
 
 PeerTimes PeerRun::run(int frames) const {
@@ -102,9 +102,9 @@ PeerTimes PeerRun::run(int frames) const {
   job["frames"] = frames;
   write_file(file, job.dump(1), kPlace);
   const ProcessResult ended = lumaknot::run(command_, kTimeLimit);
-  if (const std::string bad = bad_end(ended); !bad.empty()) throw std::runtime_error(bad);
+  if (const std::string bad = validate::bad_end(ended); !bad.empty()) throw std::runtime_error(bad);
   try {
-    const Json json = Json::parse(line_with(ended.log, "{"));
+    const Json json = Json::parse(validate::line_with(ended.log, "{"));
     PeerTimes times;
     times.renderer = json.at("renderer");
     times.samples = json.at("samples");
@@ -116,7 +116,7 @@ PeerTimes PeerRun::run(int frames) const {
 }
 
 Image PeerRun::image(const std::string& name) const {
-  return read_gpu_image(folder_.path() / (name + ".bin"), size_.width, size_.height);
+  return validate::read_gpu_image(folder_.path() / (name + ".bin"), size_.width, size_.height);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

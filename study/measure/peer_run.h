@@ -9,7 +9,7 @@
 #include "scene/spec.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 enum class Peer {
   kSoftwareGl,  ///< the emitted GLSL on Mesa's software driver; rasterises
@@ -56,4 +56,4 @@ class PeerRun {
   Command command_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 double median(std::vector<double> values) {
   assert(!values.empty());
@@ -53,4 +53,4 @@ std::string shown_time(double milliseconds) {
   return fmt::format("{:.{}f}", milliseconds, std::max(0, 2 - place));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

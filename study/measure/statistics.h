@@ -8,7 +8,7 @@
 
 #include "math/interval.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 
 /// The median and range of measurements.
 struct Spread {
@@ -36,4 +36,4 @@ double paired_ratio(std::span<const double> above, std::span<const double> below
 /// A time as text: three digits, and all before the decimal point.
 std::string shown_time(double milliseconds);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -8,7 +8,7 @@
 #include "study/measure/metrics.h"
 #include "validate/compare/claims.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 constexpr std::size_t kLookSection = 3;
@@ -79,7 +79,8 @@ std::vector<View360> views_around(const PaperScenes& scenes, int count) {
 PaperClaim front_similar_claim(const LookPictures& front) {
   const ColorDifference difference =
       color_difference(front.phong, front.yiq, covered(front.texture));
-  const double flip = errors_between(seen(front.phong), seen(front.yiq)).flip;
+  const double flip =
+      measure::errors_between(measure::seen(front.phong), measure::seen(front.yiq)).flip;
   return {
       "front-similar",
       kLookSection,
@@ -234,4 +235,4 @@ std::vector<PaperClaim> look_claims(const PaperScenes& scenes) {
           any_angle_claim(views_around(scenes, kViews))};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

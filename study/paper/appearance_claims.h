@@ -8,7 +8,7 @@
 #include "study/paper/picture_measures.h"
 #include "study/paper/scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// One light's pictures in both techniques, with where its light falls.
 struct LookPictures {
@@ -38,4 +38,4 @@ PaperClaim any_angle_claim(const std::vector<View360>& views);
 
 std::vector<PaperClaim> look_claims(const PaperScenes& scenes);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -6,7 +6,7 @@
 
 #include "math/vec.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// The unit vectors of eq. 1 and 2: the normal, from the surface to the light and to the
 /// eye.
@@ -31,4 +31,4 @@ inline double eq2_with_n(const PrintedDirections& d) {
   return std::max(dot(d.v, from_light - d.n * (2 * dot(from_light, d.n))), 0.0);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -8,7 +8,7 @@
 #include "system/atomic_file.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,7 +20,8 @@ fs::path file_of(const fs::path& folder, FigureLight light) {
   return folder / "images" / (light == FigureLight::kFront ? "front.json" : "back.json");
 }
 
-Checkpoint checkpoint_of(const fs::path& folder, FigureLight light, const std::string& key) {
+measure::Checkpoint checkpoint_of(const fs::path& folder, FigureLight light,
+                                  const std::string& key) {
   return {file_of(folder, light), {{"key", key}}};
 }
 
@@ -111,4 +112,4 @@ int checkpointed_lights(const fs::path& folder, const std::string& key) {
          int(kept_light(folder, FigureLight::kBack, key).has_value());
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

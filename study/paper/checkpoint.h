@@ -7,7 +7,7 @@
 
 #include "study/paper/figures.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// Writes the images to their places in `folder`, where those that were not drawn are removed, then
 /// their measures to images/LIGHT.json with `key`. Throws Error.
@@ -25,4 +25,4 @@ void forget_lights(const std::filesystem::path& folder);
 /// The number of lights that are kept.
 int checkpointed_lights(const std::filesystem::path& folder, const std::string& key);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

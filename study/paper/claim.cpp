@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 /// "61,440".
@@ -83,4 +83,4 @@ long long count_of(const std::vector<PaperClaim>& claims, Ruling ruling) {
   return std::ranges::count(claims, ruling, ruling_of);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

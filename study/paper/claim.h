@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// A number measured for a claim and, if the claim says something about it, its bounds.
 struct Measure {
@@ -62,4 +62,4 @@ std::string bound_text(const Measure& measure);
 /// The number of claims with that verdict.
 long long count_of(const std::vector<PaperClaim>& claims, Ruling ruling);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -9,7 +9,7 @@
 #include "validate/report/forms.h"
 #include "validate/run.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 const std::vector<std::string> kRenderers{"cycles", "povray"};
@@ -40,19 +40,19 @@ std::vector<Shot> back_shots(const PaperScenes& scenes) {
           {"back-yiq", Stage::kFinal, *with_formula(back, "yiq-eq6")}};
 }
 
-double agreeing_share(const Comparison& c) {
+double agreeing_share(const validate::Comparison& c) {
   return c.covered ? 1 - double(c.outliers + c.coverage_differs) / double(c.covered) : 0;
 }
 
 FigureImage their_image(const std::string& shot, const std::string& renderer,
-                        const Judged& judged) {
+                        const validate::Judged& judged) {
   FigureImage image{.renderer = renderer,
                     .file = {},
                     .png = judged.pictures.theirs,
-                    .outcome = std::string(outcome(judged)),
+                    .outcome = std::string(validate::outcome(judged)),
                     .why = judged.drawn.why,
                     .note = judged.drawn.note};
-  if (judged.drawn.status != RenderedShot::Status::kDrawn) return image;
+  if (judged.drawn.status != validate::RenderedShot::Status::kDrawn) return image;
   image.file = figure_file(shot, renderer);
   image.mean = judged.comparison.mean;
   image.agree = agreeing_share(judged.comparison);
@@ -60,7 +60,7 @@ FigureImage their_image(const std::string& shot, const std::string& renderer,
 }
 
 /// The shot's picture by all renderers.
-FigurePicture picture_of(const Validation& validation, std::size_t shot) {
+FigurePicture picture_of(const validate::Validation& validation, std::size_t shot) {
   const std::string& name = validation.shots[shot].name;
   FigurePicture picture{name, {}, {}};
   const std::string& own = validation.own.renderer;
@@ -70,14 +70,14 @@ FigurePicture picture_of(const Validation& validation, std::size_t shot) {
                             .outcome = {},
                             .why = {},
                             .note = {}});
-  for (const RendererResult& result : validation.results) {
+  for (const validate::RendererResult& result : validation.results) {
     picture.images.push_back(their_image(name, result.rendering.renderer, result.shots[shot]));
   }
   return picture;
 }
 
-FigureRenderer renderer_of(const RendererResult& result) {
-  const Rendering& r = result.rendering;
+FigureRenderer renderer_of(const validate::RendererResult& result) {
+  const validate::Rendering& r = result.rendering;
   return {.name = r.renderer,
           .version = r.version,
           .seconds = r.seconds,
@@ -105,12 +105,14 @@ bool LightPictures::complete() const {
       pictures, [&](const FigurePicture& p) { return std::ranges::all_of(p.images, is_drawn); });
 }
 
-LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
+LightPictures draw_light(const PaperScenes& scenes, FigureLight light,
+                         const validate::Programs& programs,
                          const std::function<void()>& on_message) {
   const bool front = light == FigureLight::kFront;
-  const ValidationJob job{front ? scenes.front : scenes.back,
-                          front ? front_shots(scenes) : back_shots(scenes), kRenderers, programs};
-  const Validation validation = validate(job, [&](const std::string&) {
+  const validate::ValidationJob job{front ? scenes.front : scenes.back,
+                                    front ? front_shots(scenes) : back_shots(scenes), kRenderers,
+                                    programs};
+  const validate::Validation validation = validate::validate(job, [&](const std::string&) {
     if (on_message) on_message();
   });
   LightPictures result;
@@ -118,7 +120,7 @@ LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Pro
     if (validation.shots[i].stage != Stage::kFinal) continue;
     result.pictures.push_back(picture_of(validation, i));
   }
-  for (const RendererResult& of_one : validation.results) {
+  for (const validate::RendererResult& of_one : validation.results) {
     result.renderers.push_back(renderer_of(of_one));
   }
   return result;
@@ -146,4 +148,4 @@ Figures figures_of(const LightPictures& front, const LightPictures& back) {
   return figures;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -9,7 +9,7 @@
 #include "study/paper/scenes.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// One renderer's picture; `image` of ours has no difference.
 struct FigureImage {
@@ -55,7 +55,8 @@ enum class FigureLight { kFront, kBack };
 
 /// Draws with us, Cycles and POV-Ray, both at the same time, and compares as `lumaknot validate`
 /// does. `on_message` is called when one of them is done. Throws Interrupted.
-LightPictures draw_light(const PaperScenes& scenes, FigureLight light, const Programs& programs,
+LightPictures draw_light(const PaperScenes& scenes, FigureLight light,
+                         const validate::Programs& programs,
                          const std::function<void()>& on_message = {});
 
 struct Figures {
@@ -66,4 +67,4 @@ struct Figures {
 
 Figures figures_of(const LightPictures& front, const LightPictures& back);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -7,7 +7,7 @@
 #include "shaders/spaces/yiq.h"
 #include "study/paper/picture_measures.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 constexpr double kFloat = 1e-6;  // of colours kept as float: a few units in the last place of 2
@@ -267,4 +267,4 @@ std::vector<PaperClaim> formula_claims(const PaperScenes& scenes) {
           always_depends_claim(plain_picture(scenes, red), plain_picture(scenes, blue))};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -10,7 +10,7 @@
 #include "study/paper/claim.h"
 #include "study/paper/scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// Eq. 4 and 5.
 struct YiqMatrices {
@@ -53,4 +53,4 @@ PaperClaim always_depends_claim(const Image& one, const Image& other);
 
 std::vector<PaperClaim> formula_claims(const PaperScenes& scenes);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -8,7 +8,7 @@
 #include "scene/presets.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -17,12 +17,12 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-std::unique_ptr<FastRenderer> renderer_of(Scene scene, const std::string& formula) {
+std::unique_ptr<fast::Renderer> renderer_of(Scene scene, const std::string& formula) {
   scene.view.material = *with_formula(scene.view.material, formula);
-  FastOptions options;
+  fast::Options options;
   options.filter = Filter::kTrilinear;
   options.threads = 1;
-  return std::make_unique<FastRenderer>(scene, options);
+  return std::make_unique<fast::Renderer>(scene, options);
 }
 
 }  // namespace
@@ -30,8 +30,8 @@ std::unique_ptr<FastRenderer> renderer_of(Scene scene, const std::string& formul
 std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std::string>& formulas,
                                        double seconds, const Progress& progress) {
   constexpr std::size_t kMinRounds = 3;
-  std::vector<std::unique_ptr<FastRenderer>> renderers;
-  Grid<Rgba8> image;
+  std::vector<std::unique_ptr<fast::Renderer>> renderers;
+  Grid<fast::Rgba8> image;
   for (const std::string& formula : formulas) {
     renderers.push_back(renderer_of(scene, formula));
     renderers.back()->draw(image);  // the first frame allocates the memory
@@ -50,9 +50,10 @@ std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std
   }
   std::vector<FormulaTime> result;
   for (std::size_t i = 0; i < formulas.size(); ++i) {
-    result.push_back({formulas[i], spread_of(times[i]), 1 - paired_ratio(times[0], times[i])});
+    result.push_back(
+        {formulas[i], measure::spread_of(times[i]), 1 - measure::paired_ratio(times[0], times[i])});
   }
   return result;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

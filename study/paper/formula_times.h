@@ -8,13 +8,13 @@
 #include "scene/spec.h"
 #include "study/measure/statistics.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// A formula to time, by its name in scene/presets.h.
 struct FormulaTime {
   std::string formula;
-  Spread milliseconds;  ///< per frame
-  double cost = 0;      ///< share of the first formula's frame rate that is lost
+  measure::Spread milliseconds;  ///< per frame
+  double cost = 0;               ///< share of the first formula's frame rate that is lost
 };
 
 /// Frames of our fast renderer on one thread, trilinear, one sample per pixel: formula after
@@ -22,4 +22,4 @@ struct FormulaTime {
 std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std::string>& formulas,
                                        double seconds, const Progress& progress = {});
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

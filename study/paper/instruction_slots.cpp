@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 using Uses = std::unordered_map<const Node*, int>;
@@ -75,4 +75,4 @@ int pixel_slots(const Shader& shader) {
   return slots;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

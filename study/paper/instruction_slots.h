@@ -3,7 +3,7 @@
 
 #include "shaders/graph/shader.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// Slots of ps_2_0 for the pixel's formula, written with the model's own instructions: dp3, mad,
 /// mul, add, max, min 1; nrm, pow 3; rcp and rsq 1, so a quotient 2 and a root 2; exp and log 2
@@ -17,4 +17,4 @@ int pixel_slots(const Shader& shader);
 /// and two moves.
 inline constexpr int kTable1VertexSlots = 3 + 3 + 4 + 3 + 2;
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

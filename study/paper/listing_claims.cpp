@@ -15,10 +15,11 @@
 #include "study/paper/instruction_slots.h"
 #include "study/paper/picture_measures.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view table1_as_printed();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::paper {
 namespace {
 
 constexpr std::size_t kSection = 2;
@@ -248,4 +249,4 @@ std::vector<PaperClaim> listing_claims(const PaperScenes& scenes) {
                      function_text(function, dialect_of(Language::kGlsl330)))};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

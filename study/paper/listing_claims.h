@@ -9,7 +9,7 @@
 #include "study/paper/claim.h"
 #include "study/paper/scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// The listing and its equations, and its equations with one thing of the listing's.
 struct ListingPictures {
@@ -45,4 +45,4 @@ PaperClaim ready_claim(std::string_view text);
 
 std::vector<PaperClaim> listing_claims(const PaperScenes& scenes);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -6,7 +6,7 @@
 #include "shaders/spaces/yiq.h"
 #include "study/paper/formula_claims.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 Vec3d column(const Matrix3& m, std::size_t i) {
@@ -124,4 +124,4 @@ PaperClaim luma_claim(const Vec3d& weights) {
       ""};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

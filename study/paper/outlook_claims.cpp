@@ -11,7 +11,7 @@
 #include "study/paper/instruction_slots.h"
 #include "study/paper/speed_claims.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 constexpr std::size_t kOutlookSection = 4;
@@ -57,9 +57,10 @@ double flip_from(const PaperScenes& scenes, double times) {
   scene.view.camera.position = scene.view.camera.position * times;
   const Grid<Fragment> fragments = visible_fragments(scene);
   const auto drawn = [&](std::string_view formula) {
-    return seen(shade_all(scene, {"final", Stage::kFinal, formula_of(scene, formula)}, fragments));
+    return measure::seen(
+        shade_all(scene, {"final", Stage::kFinal, formula_of(scene, formula)}, fragments));
   };
-  return errors_between(drawn("phong"), drawn("yiq-eq6")).flip;
+  return measure::errors_between(drawn("phong"), drawn("yiq-eq6")).flip;
 }
 
 /// Eq. 3 on linear light: the texture decoded, the picture encoded, both by sRGB.
@@ -239,4 +240,4 @@ std::vector<PaperClaim> outlook_claims(const PaperScenes& scenes,
           complex_scenes_claim(flip_from(scenes, 1), flip_from(scenes, 4))};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -9,7 +9,7 @@
 #include "study/paper/picture_measures.h"
 #include "study/paper/scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// Minnaert's model without highlights.
 PaperClaim minnaert_claim(const Image& texture, const Image& rgb, const Image& yiq);
@@ -45,4 +45,4 @@ PaperClaim complex_scenes_claim(double flip_near, double flip_far);
 std::vector<PaperClaim> outlook_claims(const PaperScenes& scenes,
                                        const std::vector<FormulaTime>& times);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

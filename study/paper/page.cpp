@@ -6,14 +6,15 @@
 #include "study/paper/reproduction.h"
 #include "validate/report/page_kit.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view paper_template();
 std::string_view paper_picture_template();
-}  // namespace embedded
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::paper {
 namespace {
 
-using Data = PageData;
+using Data = validate::PageData;
 
 constexpr std::string_view kRulingClasses[] = {"holds", "part", "not", "none"};
 
@@ -27,7 +28,7 @@ Data image_data(const FigureImage& image, const FigurePicture& picture) {
   data.set("absent", image.file.empty());
   data.set("why", image.why);
   data.set("file", image.file);
-  data.set("url", picture_url(image.png));
+  data.set("url", validate::picture_url(image.png));
   data.set("theirs", !image.outcome.empty() && !image.file.empty());
   data.set("outcome", image.outcome);
   data.set("class", image.outcome == "agreed" ? "holds" : "not");
@@ -41,7 +42,7 @@ Data image_data(const FigureImage& image, const FigurePicture& picture) {
 Data picture_data(const FigurePicture& picture) {
   Data data;
   data.set("caption", picture.caption);
-  data.set("images", page_list(picture.images, [&](const FigureImage& image) {
+  data.set("images", validate::page_list(picture.images, [&](const FigureImage& image) {
              return image_data(image, picture);
            }));
   return data;
@@ -67,7 +68,7 @@ Data claim_data(const PaperClaim& claim) {
   data.set("has_beyond", !claim.beyond.empty());
   data.set("ruling", std::string(ruling_name(ruling)));
   data.set("class", ruling_class(ruling));
-  data.set("measures", page_list(claim.measures, measure_data));
+  data.set("measures", validate::page_list(claim.measures, measure_data));
   return data;
 }
 
@@ -110,11 +111,11 @@ std::string samples_text(int samples) {
   return samples == 1 ? "none" : fmt::format("{}x", samples);
 }
 
-std::string spread_text(const Spread& ms) {
+std::string spread_text(const measure::Spread& ms) {
   return fmt::format("{:.3g} to {:.3g}", ms.min, ms.max);
 }
 
-Data rate_data(const RateRow& row, const RateTable& table) {
+Data rate_data(const bench::RateRow& row, const bench::RateTable& table) {
   Data data;
   const auto& ms = row.milliseconds;
   data.set("name", row.renderer);
@@ -131,7 +132,7 @@ Data rate_data(const RateRow& row, const RateTable& table) {
   return data;
 }
 
-Data paper_rate_data(const PaperRow& row) {
+Data paper_rate_data(const bench::PaperRow& row) {
   Data data;
   data.set("name", std::string(row.machine));
   data.set("size", std::to_string(row.side));
@@ -142,11 +143,12 @@ Data paper_rate_data(const PaperRow& row) {
   return data;
 }
 
-void set_table(const RateTable& table, Data& page) {
-  page.set("rows",
-           page_list(table.rows, [&](const RateRow& row) { return rate_data(row, table); }));
-  page.set("paper_rows", page_list(paper_rows(), paper_rate_data));
-  page.set("missing_rates", page_list(table.missing, [](const MissingRates& m) {
+void set_table(const bench::RateTable& table, Data& page) {
+  page.set("rows", validate::page_list(table.rows, [&](const bench::RateRow& row) {
+             return rate_data(row, table);
+           }));
+  page.set("paper_rows", validate::page_list(bench::paper_rows(), paper_rate_data));
+  page.set("missing_rates", validate::page_list(table.missing, [](const bench::MissingRates& m) {
              Data data;
              data.set("name", m.renderer);
              data.set("why", m.why);
@@ -155,7 +157,7 @@ void set_table(const RateTable& table, Data& page) {
 }
 
 Data renderers_data(const std::vector<FigureRenderer>& renderers) {
-  return page_list(renderers, [](const FigureRenderer& r) {
+  return validate::page_list(renderers, [](const FigureRenderer& r) {
     Data data;
     data.set("name", r.name);
     data.set("version", r.version);
@@ -190,11 +192,11 @@ std::string paper_html(const PaperResult& result) {
   page.set("count", std::to_string(result.claims.size()));
   page.set("counts", counts_data(result.claims));
   page.set("lights", lights_data(result.figures.figure1));
-  page.set("figure2", page_list(result.figures.figure2, picture_data));
+  page.set("figure2", validate::page_list(result.figures.figure2, picture_data));
   page.set("renderers", renderers_data(result.figures.renderers));
   page.set("sections", sections_data(result.claims));
   set_table(result.rates, page);
-  return render_page(embedded::paper_template(), std::move(page));
+  return validate::render_page(embedded::paper_template(), std::move(page));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -11,7 +11,7 @@
 #include "study/measure/ciede2000.h"
 #include "validate/compare/quantile.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 Vec3d displayed(const RgbaPixel& pixel) { return saturate(to_vec(pixel.color)); }
@@ -156,12 +156,12 @@ Rise luma_rise(const Image& image, const Image& above) {
 ColorDifference color_difference(const Image& a, const Image& b, const Marks& where) {
   std::vector<double> all;
   for (std::size_t i = 0; i < where.size(); ++i) {
-    if (where[i]) all.push_back(ciede2000(lab_of(a.pixels[i]), lab_of(b.pixels[i])));
+    if (where[i]) all.push_back(measure::ciede2000(lab_of(a.pixels[i]), lab_of(b.pixels[i])));
   }
   if (all.empty()) return {};
   double sum = 0;
   for (const double d : all) sum += d;
-  return {sum / double(all.size()), quantile(all, 0.95)};
+  return {sum / double(all.size()), validate::quantile(all, 0.95)};
 }
 
 double share_out_of_gamut(const Image& image) {
@@ -178,4 +178,4 @@ bool is_finite(const Image& image) {
                              [](const RgbaPixel& p) { return is_finite(to_vec(p.color)); });
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -7,7 +7,7 @@
 
 #include "scene/image.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// A step of an 8-bit display: smaller differences look the same there.
 inline constexpr double kStep = 1.0 / 255;
@@ -70,4 +70,4 @@ bool is_finite(const Image& image);
 /// All covered pixels.
 Marks covered(const Image& image);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -6,7 +6,7 @@
 
 #include "study/paper/reproduction.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -70,7 +70,7 @@ std::string paper_json(const PaperResult& result) {
     json["renderers"].push_back(renderer_json(r));
   }
   for (const PaperClaim& claim : result.claims) json["claims"].push_back(claim_json(claim));
-  json["table2"] = Json::parse(rates_json(result.rates));
+  json["table2"] = Json::parse(bench::rates_json(result.rates));
   return json.dump(2) + "\n";
 }
 
@@ -92,4 +92,4 @@ std::string paper_text(const PaperResult& result) {
   return text;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -15,7 +15,7 @@
 #include "study/paper/speed_claims.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,8 +31,9 @@ Progress part_of(const Progress& progress, double begin, double end) {
 
 /// Identifies the program, size and renderers of kept pictures.
 std::string key_of(const PaperJob& job) {
-  return fmt::format("{} {} {} {}", program_key(), job.side, job.programs.path(kBlenderProgram),
-                     job.programs.path(kPovrayProgram));
+  return fmt::format("{} {} {} {}", measure::program_key(), job.side,
+                     job.programs.path(validate::kBlenderProgram),
+                     job.programs.path(validate::kPovrayProgram));
 }
 
 /// Both lights' pictures; each is kept in `folder` as soon as it is drawn, and read from there.
@@ -81,7 +82,7 @@ PaperResult reproduce_paper(const PaperJob& job, const std::filesystem::path& fo
   append(result.claims, look_claims(scenes));
   report(0.75);
   append(result.claims, outlook_claims(scenes, times));
-  result.rates = measure_rates(scenes.front, job.rates, part_of(progress, kClaimsEnd, 1));
+  result.rates = bench::measure_rates(scenes.front, job.rates, part_of(progress, kClaimsEnd, 1));
   append(result.claims, speed_claims(scenes, result.rates, times));
   std::ranges::stable_sort(result.claims, {}, &PaperClaim::section);
   return result;
@@ -91,4 +92,4 @@ int checkpointed_lights(const PaperJob& job, const std::filesystem::path& folder
   return checkpointed_lights(folder, key_of(job));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

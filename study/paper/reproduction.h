@@ -10,12 +10,12 @@
 #include "study/paper/figures.h"
 #include "study/paper/formula_times.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 struct PaperJob {
   int side = 720;  ///< of the pictures, in pixels
-  Programs programs;
-  RateOptions rates;
+  validate::Programs programs;
+  bench::RateOptions rates;
   double formula_seconds = 4;  ///< of timing formulas
 };
 
@@ -24,7 +24,7 @@ struct PaperResult {
   int side = 0;
   Figures figures;
   std::vector<PaperClaim> claims;  ///< in the paper's order
-  RateTable rates;
+  bench::RateTable rates;
 };
 
 /// Draws and measures everything. The figures' images are written into `folder` as soon as they are
@@ -45,4 +45,4 @@ std::string paper_json(const PaperResult& result);
 /// Each claim's verdict, as text for a terminal.
 std::string paper_text(const PaperResult& result);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

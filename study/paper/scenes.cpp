@@ -4,7 +4,7 @@
 #include "scene/bricks.h"
 #include "scene/presets.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 Scene with_view(const Scene& scene, std::string_view name, int side) {
@@ -45,4 +45,4 @@ Material transferred(const Scene& scene, const Scene& base) {
   return material;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -5,7 +5,7 @@
 #include "scene/shot.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 /// The built-in scenes of Figure 1; Figure 2's is the first. They differ only in
 /// light and material, so their pixels see the same surface.
@@ -30,4 +30,4 @@ Image stage_picture(const PaperScenes& scenes, const Scene& scene, Stage stage);
 /// is in the material's ambient colour. The scenes differ in nothing else but material.
 Material transferred(const Scene& scene, const Scene& base);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -9,7 +9,7 @@
 #include "study/paper/instruction_slots.h"
 #include "study/paper/picture_measures.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 constexpr std::size_t kSpeedSection = 4;
@@ -18,16 +18,16 @@ constexpr double kRealTime = 30;    // frames per second
 constexpr double kNoise = 0.5;      // percent by which costs vary between runs
 
 double percent(double share) { return 100 * share; }
-double cost_of(const PaperRow& row) { return percent(1 - row.yiq / row.classical); }
-double cost_of(const RateRow& row) { return percent(row.costs[kTable1]); }
-Interval<double> costs_of(const RateRow& row) {
+double cost_of(const bench::PaperRow& row) { return percent(1 - row.yiq / row.classical); }
+double cost_of(const bench::RateRow& row) { return percent(row.costs[kTable1]); }
+Interval<double> costs_of(const bench::RateRow& row) {
   const Interval<double>& share = row.cost_intervals[kTable1];
   return {percent(share.min), percent(share.max)};
 }
-double rate_of(const Spread& milliseconds) { return 1000 / milliseconds.median; }
+double rate_of(const measure::Spread& milliseconds) { return 1000 / milliseconds.median; }
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits), 1 thread, 4 samples".
-std::string row_name(const RateRow& row) {
+std::string row_name(const bench::RateRow& row) {
   return fmt::format("{}, {} thread{}, {} sample{}", row.renderer, row.threads,
                      row.threads == 1 ? "" : "s", row.samples, row.samples == 1 ? "" : "s");
 }
@@ -62,7 +62,7 @@ Forms forms_of(const PaperScenes& scenes, const std::vector<FormulaTime>& times)
 }
 
 Measure time_note(const Forms& forms, std::string_view formula) {
-  const Spread& ms = time_of(forms.times, formula).milliseconds;
+  const measure::Spread& ms = time_of(forms.times, formula).milliseconds;
   return note(fmt::format("{}: a frame ({:.3g} to {:.3g})", formula, ms.min, ms.max), ms.median,
               "ms");
 }
@@ -109,9 +109,9 @@ PaperClaim grid_claim(long long vertices, long long triangles) {
           ""};
 }
 
-PaperClaim table_claim(std::span<const PaperRow> rows) {
+PaperClaim table_claim(std::span<const bench::PaperRow> rows) {
   std::vector<double> costs, longer;
-  for (const PaperRow& row : rows) {
+  for (const bench::PaperRow& row : rows) {
     costs.push_back(cost_of(row));
     longer.push_back(percent(row.classical / row.yiq - 1));
   }
@@ -132,9 +132,10 @@ PaperClaim table_claim(std::span<const PaperRow> rows) {
       ""};
 }
 
-PaperClaim slower_claim(std::span<const RateRow> rows) {
+PaperClaim slower_claim(std::span<const bench::RateRow> rows) {
   const auto count = [&](auto is) {
-    return double(std::ranges::count_if(rows, [&](const RateRow& r) { return is(costs_of(r)); }));
+    return double(
+        std::ranges::count_if(rows, [&](const bench::RateRow& r) { return is(costs_of(r)); }));
   };
   const double slower = count([](const Interval<double>& c) { return c.min > kNoise; }),
                faster = count([](const Interval<double>& c) { return c.max < -kNoise; });
@@ -164,17 +165,18 @@ PaperClaim slower_claim(std::span<const RateRow> rows) {
   return claim;
 }
 
-PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> paper) {
+PaperClaim cost_claim(std::span<const bench::RateRow> rows,
+                      std::span<const bench::PaperRow> paper) {
   const auto range = [](const auto& table, const auto& cost) {
     std::vector<double> all;
     for (const auto& row : table) all.push_back(cost(row));
     const auto [min, max] = std::ranges::minmax(all);
     return std::pair(min, max);
   };
-  const auto theirs = range(paper, [](const PaperRow& r) { return cost_of(r); });
-  const auto ours = range(rows, [](const RateRow& r) { return cost_of(r); });
-  const auto low = range(rows, [](const RateRow& r) { return costs_of(r).min; }),
-             high = range(rows, [](const RateRow& r) { return costs_of(r).max; });
+  const auto theirs = range(paper, [](const bench::PaperRow& r) { return cost_of(r); });
+  const auto ours = range(rows, [](const bench::RateRow& r) { return cost_of(r); });
+  const auto low = range(rows, [](const bench::RateRow& r) { return costs_of(r).min; }),
+             high = range(rows, [](const bench::RateRow& r) { return costs_of(r).max; });
   PaperClaim claim{"cost",
                    kSpeedSection,
                    "YIQ costs 1 % at best and some 30 % at worst.",
@@ -188,7 +190,7 @@ PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> p
   return claim;
 }
 
-PaperClaim real_time_claim(std::span<const RateRow> rows) {
+PaperClaim real_time_claim(std::span<const bench::RateRow> rows) {
   PaperClaim claim{
       "real-time",
       kSpeedSection,
@@ -198,7 +200,7 @@ PaperClaim real_time_claim(std::span<const RateRow> rows) {
       "at 512 x 512.",
       {},
       ""};
-  for (const RateRow& row : rows) {
+  for (const bench::RateRow& row : rows) {
     if (row.threads != 1 || row.samples != 1) continue;
     claim.measures.push_back(
         at_least(row.renderer, rate_of(row.milliseconds[kTable1]), kRealTime, "frames/s"));
@@ -206,8 +208,9 @@ PaperClaim real_time_claim(std::span<const RateRow> rows) {
   return claim;
 }
 
-PaperClaim glsl_speed_claim(std::span<const RateRow> rows, std::span<const PaperRow> paper,
-                            std::span<const MissingRates> missing) {
+PaperClaim glsl_speed_claim(std::span<const bench::RateRow> rows,
+                            std::span<const bench::PaperRow> paper,
+                            std::span<const bench::MissingRates> missing) {
   const double best = cost_of(paper.front());
   PaperClaim claim{"glsl-speed",
                    2,
@@ -217,13 +220,14 @@ PaperClaim glsl_speed_claim(std::span<const RateRow> rows, std::span<const Paper
                    "newest card without multisampling.",
                    {},
                    ""};
-  for (const RateRow& row : rows) {
+  for (const bench::RateRow& row : rows) {
     if (!row.renderer.starts_with("llvmpipe")) continue;
     claim.measures.push_back(at_most(row_name(row), cost_of(row), best, "%"));
   }
   if (!claim.measures.empty()) return claim;
   claim.measures.push_back(note("paper's cost in HLSL", best, "%"));
-  const auto why = std::ranges::find(missing, std::string("llvmpipe"), &MissingRates::renderer);
+  const auto why =
+      std::ranges::find(missing, std::string("llvmpipe"), &bench::MissingRates::renderer);
   claim.beyond = why == missing.end() ? "llvmpipe was not asked to draw" : why->why;
   return claim;
 }
@@ -326,17 +330,17 @@ PaperClaim rgb_output_claim(const Forms& f) {
       "None of the renderers here has an output in YIQ."};
 }
 
-std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const RateTable& rates,
+std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const bench::RateTable& rates,
                                      const std::vector<FormulaTime>& times) {
   const Forms forms = forms_of(scenes, times);
   const TriangleMesh& mesh = scenes.front.mesh;
   return {fast_conversion_claim(forms),
           most_efficient_claim(forms),
-          glsl_speed_claim(rates.rows, paper_rows(), rates.missing),
+          glsl_speed_claim(rates.rows, bench::paper_rows(), rates.missing),
           grid_claim((long long)mesh.positions.size(), (long long)mesh.triangles.size()),
-          table_claim(paper_rows()),
+          table_claim(bench::paper_rows()),
           slower_claim(rates.rows),
-          cost_claim(rates.rows, paper_rows()),
+          cost_claim(rates.rows, bench::paper_rows()),
           real_time_claim(rates.rows),
           half_claim(forms),
           collapsed_claim(forms),
@@ -344,4 +348,4 @@ std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const RateTable&
           rgb_output_claim(forms)};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

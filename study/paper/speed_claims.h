@@ -10,18 +10,19 @@
 #include "study/paper/formula_times.h"
 #include "study/paper/scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 PaperClaim grid_claim(long long vertices, long long triangles);
 
 /// Table 2, its rows by paper_rows(), against what the text says about it.
-PaperClaim table_claim(std::span<const PaperRow> rows);
+PaperClaim table_claim(std::span<const bench::PaperRow> rows);
 
-PaperClaim slower_claim(std::span<const RateRow> rows);
-PaperClaim cost_claim(std::span<const RateRow> rows, std::span<const PaperRow> paper);
-PaperClaim real_time_claim(std::span<const RateRow> rows);
-PaperClaim glsl_speed_claim(std::span<const RateRow> rows, std::span<const PaperRow> paper,
-                            std::span<const MissingRates> missing);
+PaperClaim slower_claim(std::span<const bench::RateRow> rows);
+PaperClaim cost_claim(std::span<const bench::RateRow> rows, std::span<const bench::PaperRow> paper);
+PaperClaim real_time_claim(std::span<const bench::RateRow> rows);
+PaperClaim glsl_speed_claim(std::span<const bench::RateRow> rows,
+                            std::span<const bench::PaperRow> paper,
+                            std::span<const bench::MissingRates> missing);
 
 /// The forms of YIQ: slots of the pixel shader and times on one thread.
 struct Forms {
@@ -43,7 +44,7 @@ const FormulaTime& time_of(std::span<const FormulaTime> times, std::string_view 
 /// The formulas that time_formulas() is to time for the claims here and in outlook_claims.h.
 std::vector<std::string> timed_formulas();
 
-std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const RateTable& rates,
+std::vector<PaperClaim> speed_claims(const PaperScenes& scenes, const bench::RateTable& rates,
                                      const std::vector<FormulaTime>& times);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

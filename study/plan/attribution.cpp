@@ -8,7 +8,7 @@
 #include "study/budget/knot_samples.h"
 #include "study/plan/neighborhood.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 /// Whether the pixels around (x, y) show one smooth piece of the surface.
@@ -45,8 +45,8 @@ double largest_difference(const Image& a, const Image& b, std::span<const std::s
 }
 
 /// The method with float's part exact.
-Method in_double(Method method) {
-  method.number = Number::kDouble;
+measure::Method in_double(measure::Method method) {
+  method.number = measure::Number::kDouble;
   method.culls = false;
   method.filter = Filter::kBilinear;
   const int root = std::max(1, int(std::lround(std::sqrt(method.samples))));
@@ -57,12 +57,12 @@ Method in_double(Method method) {
 /// The method's mesh as seen by one sample at each pixel's centre.
 class MeshView {
  public:
-  MeshView(const Method& method, const KnotSpec& knot, MethodBench& bench)
-      : knot_(std::get<KnotSpec>(method_mesh(method, knot))),
+  MeshView(const measure::Method& method, const KnotSpec& knot, measure::MethodBench& bench)
+      : knot_(std::get<KnotSpec>(measure::method_mesh(method, knot))),
         scene_(bench.scene_of(method)),
         seen_(visible(scene_)),
         samples_(seen_.width, seen_.height) {
-    const KnotGrid grid(knot_, scene_.mesh);
+    const budget::KnotGrid grid(knot_, scene_.mesh);
     std::ranges::transform(seen_.pixels, samples_.pixels.begin(),
                            [&](const Fragment& f) { return grid.of_mesh(f); });
   }
@@ -71,12 +71,12 @@ class MeshView {
   double place() const {
     const View& view = scene_.view;
     const Projection projection(view.camera, view.image.width, view.image.height);
-    const KnotGrid grid(knot_, scene_.mesh);
+    const budget::KnotGrid grid(knot_, scene_.mesh);
     const auto on_image = [&](const Vec3d& p) {
       return projection.to_image(projection.to_view(p));
     };
     double max = 0;
-    for (const KnotSample& sample : samples_.pixels) {
+    for (const budget::KnotSample& sample : samples_.pixels) {
       if (!sample.seen.covered()) continue;
       const Vec3d d = on_image(sample.seen.position) - on_image(grid.exact_position(sample));
       max = std::max(max, std::hypot(d.x, d.y));
@@ -85,10 +85,10 @@ class MeshView {
   }
 
   /// The largest change of colour between the method's light and the exact normal's.
-  double shading(const Method& method) const {
-    const KnotGrid grid(knot_, scene_.mesh);
+  double shading(const measure::Method& method) const {
+    const budget::KnotGrid grid(knot_, scene_.mesh);
     const Material& material = scene_.view.material;
-    Shot own{"final", Stage::kFinal, true_material(material, material.space)}, exact = own;
+    Shot own{"final", Stage::kFinal, measure::true_material(material, material.space)}, exact = own;
     own.material.rate = method.rate;
     const Shading drawn(scene_, own), right(scene_, exact);
     double max = 0;
@@ -104,7 +104,7 @@ class MeshView {
 
   std::vector<std::size_t> inside_pixels() const {
     Grid<SeenPlace> places(samples_.width, samples_.height);
-    std::ranges::transform(samples_.pixels, places.pixels.begin(), [](const KnotSample& s) {
+    std::ranges::transform(samples_.pixels, places.pixels.begin(), [](const budget::KnotSample& s) {
       return s.seen.covered() ? SeenPlace{s.seen.triangle, s.t, s.theta} : SeenPlace{};
     });
     return inside(places);
@@ -119,25 +119,25 @@ class MeshView {
   KnotSpec knot_;
   const Scene& scene_;
   Grid<Fragment> seen_;
-  Grid<KnotSample> samples_;
+  Grid<budget::KnotSample> samples_;
 };
 
 /// `method` with one part exact.
 struct Mended {
   std::string part;
-  Method method;
+  measure::Method method;
 };
 
-std::vector<Mended> mended(const Method& closest, const Candidates& candidates) {
+std::vector<Mended> mended(const measure::Method& closest, const Candidates& candidates) {
   std::vector<Mended> all;
-  const auto add = [&](const char* part, const Method& method) {
+  const auto add = [&](const char* part, const measure::Method& method) {
     if (!(method == closest)) all.push_back({part, method});
   };
-  if (closest.number == Number::kFloat && closest.filter == Filter::kBilinear) {
+  if (closest.number == measure::Number::kFloat && closest.filter == Filter::kBilinear) {
     add("precision", in_double(closest));
   }
-  Method other = closest;
-  if (closest.number == Number::kFloat) {
+  measure::Method other = closest;
+  if (closest.number == measure::Number::kFloat) {
     other.filter = closest.filter == Filter::kBilinear ? Filter::kTrilinear : Filter::kBilinear;
     add("texture filter", other);
   }
@@ -149,11 +149,11 @@ std::vector<Mended> mended(const Method& closest, const Candidates& candidates) 
   other = closest;
   other.rate = ShadingFrequency::kPixel;
   add("shading", other);
-  add("tessellation", with_grid(closest, candidates.ladder.back()));
+  add("tessellation", measure::with_grid(closest, candidates.ladder.back()));
   return all;
 }
 
-Grid<SeenPlace> places_of(const Grid<ExactFragment>& fragments) {
+Grid<SeenPlace> places_of(const Grid<exact::ExactFragment>& fragments) {
   Grid<SeenPlace> places(fragments.width, fragments.height);
   std::ranges::transform(fragments.pixels, places.pixels.begin(), place_of);
   return places;
@@ -161,8 +161,8 @@ Grid<SeenPlace> places_of(const Grid<ExactFragment>& fragments) {
 
 }  // namespace
 
-std::vector<ErrorPart> error_parts(const Method& method, const KnotSpec& knot,
-                                   const Predictor& predictor, MethodBench& bench) {
+std::vector<ErrorPart> error_parts(const measure::Method& method, const KnotSpec& knot,
+                                   const Predictor& predictor, measure::MethodBench& bench) {
   const PredictedError predicted = predictor.of(method);
   const MeshView view(method, knot, bench);
   std::vector<ErrorPart> parts{{"place", "pixels", predicted.place, view.place()},
@@ -170,7 +170,7 @@ std::vector<ErrorPart> error_parts(const Method& method, const KnotSpec& knot,
                                                                         : "light between vertices",
                                 "colour", predicted.shading, view.shading(method)}};
   const std::vector<std::size_t> pixels = view.inside_pixels();
-  Method bilinear = method;
+  measure::Method bilinear = method;
   bilinear.filter = Filter::kBilinear;
   const Image drawn = bench.draw(method);
   if (method.samples == 1) {
@@ -180,11 +180,11 @@ std::vector<ErrorPart> error_parts(const Method& method, const KnotSpec& knot,
     parts.push_back({"precision", "colour", predicted.precision,
                      largest_difference(plain, bench.draw(in_double(bilinear)), pixels)});
   } else {
-    Method many = in_double(method);
+    measure::Method many = in_double(method);
     many.samples = 64;
     parts.push_back({"filter and samples", "colour", predicted.filter,
                      largest_difference(drawn, bench.draw(many), pixels)});
-    Method one = bilinear;
+    measure::Method one = bilinear;
     one.samples = 1;
     parts.push_back({"precision", "colour", predicted.precision,
                      largest_difference(bench.draw(one), bench.draw(in_double(one)), pixels)});
@@ -192,8 +192,8 @@ std::vector<ErrorPart> error_parts(const Method& method, const KnotSpec& knot,
   return parts;
 }
 
-std::vector<Attribution> attribute(const Method& closest, const Candidates& candidates,
-                                   const ToleranceChecker& checker, MethodBench& bench) {
+std::vector<Attribution> attribute(const measure::Method& closest, const Candidates& candidates,
+                                   const ToleranceChecker& checker, measure::MethodBench& bench) {
   const double color = checker.tolerance().color;
   const auto fails = [&](float error) { return !(error <= color); };
   const Grid<float> errors = checker.check_all(bench.draw(closest)).errors;
@@ -219,4 +219,4 @@ std::vector<Attribution> attribute(const Method& closest, const Candidates& cand
   return all;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

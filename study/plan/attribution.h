@@ -9,7 +9,7 @@
 #include "study/plan/candidates.h"
 #include "study/plan/verifier.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// One part of a method's error.
 struct ErrorPart {
@@ -23,8 +23,8 @@ struct ErrorPart {
 /// place; the colour that the normal or the light between vertices changes, at the mesh's points;
 /// that of the texture's filter and of float, away from edges; of several samples, filter and
 /// sampling together against 8 x 8.
-std::vector<ErrorPart> error_parts(const Method& method, const KnotSpec& knot,
-                                   const Predictor& predictor, MethodBench& bench);
+std::vector<ErrorPart> error_parts(const measure::Method& method, const KnotSpec& knot,
+                                   const Predictor& predictor, measure::MethodBench& bench);
 
 /// The pixels beyond the tolerance because of one part.
 struct Attribution {
@@ -35,7 +35,7 @@ struct Attribution {
 /// Why the closest method does not meet the tolerance, most pixels first: each failing pixel is
 /// attributed to the first part whose exact form fixes it: precision, filter, samples, shading,
 /// tessellation; or to edges, where the surface ends or passes behind itself within a pixel.
-std::vector<Attribution> attribute(const Method& closest, const Candidates& candidates,
-                                   const ToleranceChecker& checker, MethodBench& bench);
+std::vector<Attribution> attribute(const measure::Method& closest, const Candidates& candidates,
+                                   const ToleranceChecker& checker, measure::MethodBench& bench);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -5,7 +5,7 @@
 
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 /// With its arrival reduced only by the distance and the cone.
@@ -94,4 +94,4 @@ TextureBounds texture_bounds(const Texture& texture) {
   return {largest_component(to_vec(max) - to_vec(min)), largest_component(to_vec(max))};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -8,7 +8,7 @@
 #include "render/rasterizer.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 LightColor& color_of(Light& light);
 const LightColor& color_of(const Light& light);
@@ -57,4 +57,4 @@ struct TextureBounds {
 };
 TextureBounds texture_bounds(const Texture& texture);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

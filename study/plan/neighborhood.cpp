@@ -10,14 +10,14 @@
 #include "math/angle.h"
 #include "math/number.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
-std::array<double, 4> channels(const Sample& s) {
+std::array<double, 4> channels(const exact::Sample& s) {
   return {s.color.x, s.color.y, s.color.z, s.coverage};
 }
 
-Sample from_channels(const std::array<double, 4>& c) { return {{c[0], c[1], c[2]}, c[3]}; }
+exact::Sample from_channels(const std::array<double, 4>& c) { return {{c[0], c[1], c[2]}, c[3]}; }
 
 Vec2d moved(double x, double y, double radius, double angle) {
   return {x + radius * std::cos(angle), y + radius * std::sin(angle)};
@@ -25,7 +25,7 @@ Vec2d moved(double x, double y, double radius, double angle) {
 
 }  // namespace
 
-SeenPlace place_of(const ExactFragment& seen) {
+SeenPlace place_of(const exact::ExactFragment& seen) {
   return seen.fragment.covered() ? SeenPlace{seen.fragment.triangle, seen.t, seen.theta}
                                  : SeenPlace{};
 }
@@ -36,7 +36,7 @@ bool on_one_piece(const SeenPlace& a, const SeenPlace& b) {
   return apart(a.t - b.t) < 0.2 && apart(a.theta - b.theta) < 0.8;
 }
 
-void SampleRange::add(const Sample& sample, double error) {
+void SampleRange::add(const exact::Sample& sample, double error) {
   std::array<double, 4> min = channels(low), max = channels(high);
   const std::array<double, 4> value = channels({saturate(sample.color), sample.coverage});
   for (std::size_t c = 0; c < 4; ++c) {
@@ -47,7 +47,7 @@ void SampleRange::add(const Sample& sample, double error) {
   high = from_channels(max);
 }
 
-double SampleRange::distance(const Sample& sample) const {
+double SampleRange::distance(const exact::Sample& sample) const {
   const std::array<double, 4> min = channels(low), max = channels(high);
   const std::array<double, 4> value = channels({saturate(sample.color), sample.coverage});
   double worst = 0;
@@ -135,9 +135,9 @@ void PixelNeighborhood::look_at_cells(SampleRange& range, int x, int y, int cell
 void PixelNeighborhood::look_closely(NeighborhoodRange& neighborhood, double x, double y) const {
   constexpr std::size_t kRings = 8, kRays = 32;
   std::array<std::array<Vec2d, kRays>, kRings> places;
-  std::array<std::array<ExactFragment, kRays>, kRings> seen;
+  std::array<std::array<exact::ExactFragment, kRays>, kRings> seen;
   const auto look_along = [&](Vec2d at) {
-    const ExactFragment found = pixels_.at(at.u, at.v);
+    const exact::ExactFragment found = pixels_.at(at.u, at.v);
     neighborhood.full.add(pixels_.sample(found.fragment), 0);
     look_behind(neighborhood.behind, at, shift_ - std::hypot(at.u - x, at.v - y), found);
     return found;
@@ -171,12 +171,12 @@ double passage_depth(const Vec3d& through, const Vec3d& normal, double tube_radi
 
 /// Through surfaces no deeper than `depth`, in pixels.
 void PixelNeighborhood::look_behind(SampleRange& range, Vec2d at, double depth,
-                                    const ExactFragment& seen) const {
+                                    const exact::ExactFragment& seen) const {
   constexpr int kMax = 4;  // passages through the tube
   constexpr double kBeyond = 1 + 1e-9;
-  ExactFragment in = seen;
+  exact::ExactFragment in = seen;
   for (int i = 0; i < kMax && in.fragment.covered(); ++i) {
-    const ExactFragment out = pixels_.at(at.u, at.v, in.fragment.depth * kBeyond);
+    const exact::ExactFragment out = pixels_.at(at.u, at.v, in.fragment.depth * kBeyond);
     if (!out.fragment.covered()) return;
     const Vec3d through = out.fragment.position - in.fragment.position;
     const double deep = std::max(passage_depth(through, in.fragment.normal, tube_radius_),
@@ -191,10 +191,10 @@ void PixelNeighborhood::look_behind(SampleRange& range, Vec2d at, double depth,
 /// Towards its limb a surface's colour changes faster and faster: both sides of the edge.
 void PixelNeighborhood::look_at_edge(SampleRange& range, Vec2d a, Vec2d b) const {
   constexpr int kHalvings = 24;
-  ExactFragment at_a = pixels_.at(a.u, a.v), at_b = pixels_.at(b.u, b.v);
+  exact::ExactFragment at_a = pixels_.at(a.u, a.v), at_b = pixels_.at(b.u, b.v);
   for (int i = 0; i < kHalvings; ++i) {
     const Vec2d middle{(a.u + b.u) / 2, (a.v + b.v) / 2};
-    const ExactFragment at = pixels_.at(middle.u, middle.v);
+    const exact::ExactFragment at = pixels_.at(middle.u, middle.v);
     const bool with_a = on_one_piece(place_of(at), place_of(at_a));
     (with_a ? a : b) = middle;
     (with_a ? at_a : at_b) = at;
@@ -203,4 +203,4 @@ void PixelNeighborhood::look_at_edge(SampleRange& range, Vec2d a, Vec2d b) const
   range.add(pixels_.sample(at_b.fragment), 0);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -7,7 +7,7 @@
 #include "scene/image.h"
 #include "study/plan/tolerance.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// A point's place on the exact surface: a component and its parameters, or -1 for nowhere.
 struct SeenPlace {
@@ -15,7 +15,7 @@ struct SeenPlace {
   double t = 0, theta = 0;  ///< radians
 };
 
-SeenPlace place_of(const ExactFragment& seen);
+SeenPlace place_of(const exact::ExactFragment& seen);
 
 /// Whether both are on one smooth piece of the surface, or both on none, as neighbours away from
 /// edges are: not too far apart in t and theta.
@@ -23,13 +23,13 @@ bool on_one_piece(const SeenPlace& a, const SeenPlace& b);
 
 /// The range of each channel, colours limited to [0, 1].
 struct SampleRange {
-  Sample low, high;
+  exact::Sample low, high;
 
   /// Extends the range by what is certain of a sample known to within `error`.
-  void add(const Sample& sample, double error);
+  void add(const exact::Sample& sample, double error);
 
   /// How far the worst channel of `sample` is outside. Infinite for what is not a number.
-  double distance(const Sample& sample) const;
+  double distance(const exact::Sample& sample) const;
 };
 
 /// What one pixel may show, as far as it was examined. Each range contains the one before.
@@ -60,7 +60,7 @@ double passage_depth(const Vec3d& through, const Vec3d& normal, double tube_radi
 class PixelNeighborhood {
  public:
   /// Keeps `pixels` by reference; the tube's radius is in scene units.
-  PixelNeighborhood(const ExactPixels& pixels, double tube_radius, double shift, bool area)
+  PixelNeighborhood(const exact::ExactPixels& pixels, double tube_radius, double shift, bool area)
       : pixels_(pixels), tube_radius_(tube_radius), shift_(shift), area_(area) {}
 
   /// Fills `coarse`, `quick`, or `full` and `behind`, of the pixel (x, y), unless they are filled.
@@ -72,12 +72,13 @@ class PixelNeighborhood {
   void look_at_cells(SampleRange& range, int x, int y, int cells) const;
   void look_around(SampleRange& range, double x, double y) const;
   void look_closely(NeighborhoodRange& neighborhood, double x, double y) const;
-  void look_behind(SampleRange& range, Vec2d at, double depth, const ExactFragment& seen) const;
+  void look_behind(SampleRange& range, Vec2d at, double depth,
+                   const exact::ExactFragment& seen) const;
   void look_at_edge(SampleRange& range, Vec2d seen, Vec2d other) const;
 
-  const ExactPixels& pixels_;
+  const exact::ExactPixels& pixels_;
   double tube_radius_, shift_;
   bool area_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -11,7 +11,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,13 +29,13 @@ const KnotSpec& knot_of(const PlanJob& job) {
 }
 
 std::string key_of(const PlanJob& job) {
-  return fmt::format("{} {} {} {}", scene_key(job.scene, job.spec.mesh), program_key(),
-                     job.tolerance.color, job.tolerance.shift);
+  return fmt::format("{} {} {} {}", measure::scene_key(job.scene, job.spec.mesh),
+                     measure::program_key(), job.tolerance.color, job.tolerance.shift);
 }
 
-std::vector<Fragment> covered(const Grid<ExactFragment>& fragments) {
+std::vector<Fragment> covered(const Grid<exact::ExactFragment>& fragments) {
   std::vector<Fragment> seen;
-  for (const ExactFragment& f : fragments.pixels) {
+  for (const exact::ExactFragment& f : fragments.pixels) {
     if (f.fragment.covered()) seen.push_back(f.fragment);
   }
   return seen;
@@ -85,7 +85,7 @@ class Planning {
 
   void plan_with(const ToleranceChecker& checker, MeasurementStore& store) {
     const std::vector<Fragment> seen = covered(checker.fragments());
-    if (seen.empty()) throw Error(kNothingSeen);
+    if (seen.empty()) throw Error(measure::kNothingSeen);
     plan_.tolerance = job_.tolerance;
     plan_.area = checker.area();
     plan_.share = kDroppedShare * job_.tolerance.color;
@@ -98,8 +98,8 @@ class Planning {
         methods_to_draw(simplified.view.material, simplified.texture, checker.area(),
                         shows_fronts_alone(seen, simplified.view.camera.position))};
     plan_.considered = int(candidates.ladder.size() * candidates.methods.size());
-    MethodBench bench({job_.scene.mesh, simplified.texture, simplified.view}, knot_,
-                      [this] { return fast_frame(job_.scene); });
+    measure::MethodBench bench({job_.scene.mesh, simplified.texture, simplified.view}, knot_,
+                               [this] { return fast_frame(job_.scene); });
     Trials trials(bench, checker, store);
     choose(candidates, predictor, trials, store);
     prove(candidates, predictor, checker, bench);
@@ -108,7 +108,7 @@ class Planning {
 
   void choose(const Candidates& candidates, const Predictor& predictor, Trials& trials,
               const MeasurementStore& store) {
-    const std::optional<Method> found =
+    const std::optional<measure::Method> found =
         fastest_that_meets(candidates, predictor, trials, job_.rounds, part(kTruthEnd, kSearchEnd));
     plan_.met = found.has_value();
     if (job_.exhaustive) {
@@ -118,16 +118,16 @@ class Planning {
         if (found) plan_.time_to_best = trials.ratio(*found) / trials.ratio(*best);
       }
     }
-    const Method chosen = found ? *found : closest_method(candidates, store);
+    const measure::Method chosen = found ? *found : closest_method(candidates, store);
     if (!found) trials.time(std::span(&chosen, 1), job_.rounds);
     trials.time_reference(job_.scene, job_.rounds);
     plan_.reference_milliseconds = trials.milliseconds(Trials::kReference);
     plan_.fast_milliseconds = trials.baseline_milliseconds();
     plan_.chosen = choice_of(chosen, predictor, trials);
-    for (const GridSize& grid : candidates.ladder) {
-      for (const Method& without_grid : candidates.methods) {
-        const Method method = with_grid(without_grid, grid);
-        if (!store.results().contains(method_name(method))) continue;
+    for (const measure::GridSize& grid : candidates.ladder) {
+      for (const measure::Method& without_grid : candidates.methods) {
+        const measure::Method method = measure::with_grid(without_grid, grid);
+        if (!store.results().contains(measure::method_name(method))) continue;
         plan_.candidates.push_back(choice_of(method, predictor, trials));
       }
     }
@@ -135,14 +135,15 @@ class Planning {
       plan_.best_of_all = choice_of(plan_.best_of_all->method, predictor, trials);
   }
 
-  static PlanChoice choice_of(const Method& method, const Predictor& predictor, Trials& trials) {
-    const double time = trials.milliseconds(method_name(method));
+  static PlanChoice choice_of(const measure::Method& method, const Predictor& predictor,
+                              Trials& trials) {
+    const double time = trials.milliseconds(measure::method_name(method));
     return {method, predictor.of(method), trials.result(method), std::isfinite(time) ? time : 0};
   }
 
   void prove(const Candidates& candidates, const Predictor& predictor,
-             const ToleranceChecker& checker, MethodBench& bench) {
-    const Method& method = plan_.chosen.method;
+             const ToleranceChecker& checker, measure::MethodBench& bench) {
+    const measure::Method& method = plan_.chosen.method;
     plan_.parts = error_parts(method, knot_, predictor, bench);
     if (!plan_.met) plan_.blamed = attribute(method, candidates, checker, bench);
     plan_.after = bench.draw(method);
@@ -156,13 +157,13 @@ class Planning {
   }
 
   /// The smaller scene as written to scene.json.
-  SceneSpec lean_spec(const Method& method) const {
+  SceneSpec lean_spec(const measure::Method& method) const {
     const SimplifiedScene& simplified = plan_.pruning.simplified;
-    SceneSpec spec{method_mesh(method, knot_), job_.spec.texture, simplified.view};
+    SceneSpec spec{measure::method_mesh(method, knot_), job_.spec.texture, simplified.view};
     if (const auto* color = std::get_if<Vec3d>(&simplified.texture))
       spec.texture = PlainColor{*color};
-    spec.view.material = method_material(method, simplified.view.material);
-    const bool fast = method.number == Number::kFloat;
+    spec.view.material = measure::method_material(method, simplified.view.material);
+    const bool fast = method.number == measure::Number::kFloat;
     spec.view.image.samples = fast ? 1 : int(std::lround(std::sqrt(method.samples)));
     return spec;
   }
@@ -177,7 +178,7 @@ class Planning {
 }  // namespace
 
 void check_plan(const PlanJob& job) {
-  const ExactTube tube(knot_of(job));
+  const exact::ExactTube tube(knot_of(job));
   check_tolerance(job.tolerance, job.scene.view.image.samples > 1);
 }
 
@@ -190,8 +191,8 @@ std::size_t measured_choices(const PlanJob& job, const fs::path& folder) {
   return MeasurementStore(folder / kStoreFile, key_of(job)).size();
 }
 
-std::vector<std::string> render_arguments(const Method& method) {
-  if (method.number == Number::kDouble) return {};
+std::vector<std::string> render_arguments(const measure::Method& method) {
+  if (method.number == measure::Number::kDouble) return {};
   std::vector<std::string> arguments{"--fast", "--filter",
                                      method.filter == Filter::kTrilinear ? "trilinear" : "bilinear",
                                      "--multisample", std::to_string(method.samples)};
@@ -199,4 +200,4 @@ std::vector<std::string> render_arguments(const Method& method) {
   return arguments;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -12,7 +12,7 @@
 #include "study/plan/pruning.h"
 #include "study/plan/search.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 struct PlanJob {
   Scene scene;  ///< with its own mesh
@@ -24,7 +24,7 @@ struct PlanJob {
 
 /// One choice as measured.
 struct PlanChoice {
-  Method method;
+  measure::Method method;
   PredictedError predicted;
   ToleranceResult result;
   double milliseconds = 0;  ///< 0: not timed
@@ -71,7 +71,7 @@ Plan make_plan(const PlanJob& job, const std::filesystem::path& folder, const Pr
 std::size_t measured_choices(const PlanJob& job, const std::filesystem::path& folder);
 
 /// The arguments of `lumaknot render SCENE -o PICTURE` that draw the plan's scene as planned.
-std::vector<std::string> render_arguments(const Method& method);
+std::vector<std::string> render_arguments(const measure::Method& method);
 
 /// A warning if many pixels meet the tolerance only by the shift; empty for few.
 std::string shift_warning(const Plan& plan);
@@ -88,4 +88,4 @@ std::string plan_text(const Plan& plan);
 /// One HTML page that needs nothing else. `command` draws the planned picture.
 std::string plan_html(const Plan& plan, const std::string& scene, const std::string& command);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -6,13 +6,14 @@
 #include "study/plan/outcome.h"
 #include "validate/report/page_kit.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view plan_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::plan {
 namespace {
 
-using Data = PageData;
+using Data = validate::PageData;
 
 std::string number(double value) { return fmt::format("{:.2g}", value); }
 
@@ -39,7 +40,7 @@ Data part_row(const ErrorPart& p) {
 
 Data choice_row(const PlanChoice& c) {
   Data row;
-  row.set("method", method_name(c.method));
+  row.set("method", measure::method_name(c.method));
   row.set("place", number(c.predicted.place));
   row.set("shading", number_or_blank(c.predicted.shading));
   row.set("filter", number_or_blank(c.predicted.filter));
@@ -53,7 +54,7 @@ Data picture_row(const std::string& caption, const Image& image) {
   Data row;
   row.set("caption", caption);
   row.set("alt", caption);
-  row.set("url", picture_url(display_png(image)));
+  row.set("url", validate::picture_url(display_png(image)));
   return row;
 }
 
@@ -76,7 +77,7 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("command", command);
   page.set("verdict", plan.met ? "Met" : "Can't be met");
   page.set("verdict_class", plan.met ? "met" : "not");
-  page.set("method", method_name(plan.chosen.method));
+  page.set("method", measure::method_name(plan.chosen.method));
   page.set("color", fmt::format("{:.4g}", plan.tolerance.color));
   page.set("shift", fmt::format("{:.4g}", plan.tolerance.shift));
   page.set("truth", plan.area ? "the mean over each pixel" : "the colour at each pixel's centre");
@@ -95,11 +96,11 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("failing", std::to_string(judged.failing));
   page.set("share", number(plan.share));
   page.set("change", number(plan.pruning.change));
-  page.set("dropped", page_list(plan.pruning.dropped, attempt_row));
+  page.set("dropped", validate::page_list(plan.pruning.dropped, attempt_row));
   page.set("has_dropped", !plan.pruning.dropped.empty());
-  page.set("kept", page_list(plan.pruning.kept, attempt_row));
-  page.set("parts", page_list(plan.parts, part_row));
-  page.set("blamed", page_list(plan.blamed, [](const Attribution& b) {
+  page.set("kept", validate::page_list(plan.pruning.kept, attempt_row));
+  page.set("parts", validate::page_list(plan.parts, part_row));
+  page.set("blamed", validate::page_list(plan.blamed, [](const Attribution& b) {
              Data row;
              row.set("part", b.part);
              row.set("pixels", std::to_string(b.pixels));
@@ -114,12 +115,12 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("fast_meets", plan.fast.met ? "meets" : "does not meet");
   page.set("has_best", plan.best_of_all.has_value());
   if (plan.best_of_all) {
-    page.set("best", method_name(plan.best_of_all->method));
+    page.set("best", measure::method_name(plan.best_of_all->method));
     page.set("to_best", fmt::format("{:.2f}", plan.time_to_best));
   }
   page.set("considered", std::to_string(plan.considered));
   page.set("measured", std::to_string(plan.candidates.size()));
-  page.set("choices", page_list(sorted(plan.candidates), choice_row));
+  page.set("choices", validate::page_list(sorted(plan.candidates), choice_row));
   Data pictures(Data::type::list);
   pictures.push_back(picture_row("before: the reference", plan.before));
   pictures.push_back(picture_row("after: as planned", plan.after));
@@ -130,7 +131,7 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
         picture_row("error after the shift: white is the tolerance, red beyond it", plan.errors));
   }
   page.set("pictures", pictures);
-  return render_page(embedded::plan_template(), std::move(page));
+  return validate::render_page(embedded::plan_template(), std::move(page));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -12,7 +12,7 @@
 #include "render/fast/renderer.h"
 #include "render/projection.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 constexpr double kRounding = 0x1p-24;  // of float, relative
@@ -91,7 +91,7 @@ std::optional<double> Predictor::per_pixel(double normal_turn, double offset) co
   return std::min(turn * *change + weakening, all);
 }
 
-std::optional<double> Predictor::per_vertex(const Method& m) const {
+std::optional<double> Predictor::per_vertex(const measure::Method& m) const {
   if (!lights_) return {};
   const double along = kTurn / m.segments * speed_;
   const double around = kTurn / m.sides;
@@ -106,7 +106,7 @@ std::optional<double> Predictor::per_vertex(const Method& m) const {
 
 /// A weighted mean of texels is within their contrast of another. The reference's own filter at a
 /// point is exact.
-std::optional<double> Predictor::filter(const Method& m) const {
+std::optional<double> Predictor::filter(const measure::Method& m) const {
   if (texture_.contrast == 0) return 0;
   if (m.samples == 1 && m.filter == Filter::kBilinear) return 0;
   if (material_.space != Space::kRgb || !lights_) return {};
@@ -114,19 +114,20 @@ std::optional<double> Predictor::filter(const Method& m) const {
   return texture_.contrast * light;
 }
 
-PredictedError Predictor::of(const Method& m) const {
+PredictedError Predictor::of(const measure::Method& m) const {
   const TubeSurface surface(spine_, knot_.tube_radius);
   const DeviationBound bound = deviation_bound(surface, m.segments, m.sides);
   PredictedError error;
   error.place = bound.offset / pixel_;
-  if (m.number == Number::kFloat) error.place += std::numbers::sqrt2 / 2 / kSubpixels;
+  if (m.number == measure::Number::kFloat)
+    error.place += std::numbers::sqrt2 / 2 / fast::kSubpixels;
   error.sampling = m.samples > 1 ? 0.5 / std::sqrt(double(m.samples)) : 0;
   error.shading = m.rate == ShadingFrequency::kPixel
                       ? per_pixel(bound.normal_degrees * kTurn / 360, bound.offset)
                       : per_vertex(m);
   error.filter = filter(m);
   constexpr double kRoundings = 32;  // from the vertices to the colour
-  const double own = m.number == Number::kFloat ? kRounding : kRounding * kRounding;
+  const double own = m.number == measure::Number::kFloat ? kRounding : kRounding * kRounding;
   const double diffuse = ambient_ + (lights_ ? lights_->diffuse : 0);
   const double growth =
       with_highlight(material_.model, material_.parameters,
@@ -138,4 +139,4 @@ PredictedError Predictor::of(const Method& m) const {
   return error;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -10,7 +10,7 @@
 #include "study/plan/simplification.h"
 #include "study/plan/tolerance.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// Upper bounds of a method's errors by part. Colours are of the largest channel; empty
 /// without a simple bound.
@@ -41,7 +41,7 @@ class Predictor {
   Predictor(const SimplifiedScene& simplified, const KnotSpec& knot, std::span<const Fragment> seen,
             const Tolerance& tolerance);
 
-  PredictedError of(const Method& method) const;
+  PredictedError of(const measure::Method& method) const;
 
   const Tolerance& tolerance() const { return tolerance_; }
 
@@ -50,8 +50,8 @@ class Predictor {
 
  private:
   std::optional<double> per_pixel(double normal_turn, double offset) const;
-  std::optional<double> per_vertex(const Method& method) const;
-  std::optional<double> filter(const Method& method) const;
+  std::optional<double> per_vertex(const measure::Method& method) const;
+  std::optional<double> filter(const measure::Method& method) const;
 
   KnotSpec knot_;
   Spine spine_;
@@ -65,4 +65,4 @@ class Predictor {
   Vec2d texels_{0, 0};  ///< along and around the tube
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -10,7 +10,7 @@
 #include "study/measure/method.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 constexpr double kNothing = 1e-9;     // rounding
@@ -22,7 +22,7 @@ class Colors {
   explicit Colors(const SimplifiedScene& simplified)
       : scene_{{}, simplified.texture, simplified.view},
         shot_{"final", Stage::kFinal,
-              true_material(simplified.view.material, simplified.view.material.space)},
+              measure::true_material(simplified.view.material, simplified.view.material.space)},
         shading_(scene_, shot_) {}
   Colors(const Colors&) = delete;
   Colors& operator=(const Colors&) = delete;
@@ -123,4 +123,4 @@ Pruning drop(const Scene& scene, std::span<const Fragment> seen, double share) {
   return dropper.result();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

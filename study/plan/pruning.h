@@ -8,7 +8,7 @@
 
 #include "study/plan/simplification.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// A simplification, applied or not.
 struct Attempt {
@@ -32,4 +32,4 @@ struct Pruning {
 /// Interrupted.
 Pruning drop(const Scene& scene, std::span<const Fragment> seen, double share);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -6,7 +6,7 @@
 #include "scene/fields.h"
 #include "study/plan/outcome.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,7 +36,7 @@ Json measured_json(const ToleranceResult& j) {
 }
 
 Json choice_json(const PlanChoice& c) {
-  Json json{{"method", method_name(c.method)},
+  Json json{{"method", measure::method_name(c.method)},
             {"predicted", predicted_json(c.predicted)},
             {"measured", measured_json(c.result)},
             {"met", c.result.met}};
@@ -180,13 +180,14 @@ std::string plan_json(const Plan& plan) {
 
 std::string plan_text(const Plan& plan) {
   std::string text = plan.met ? "met: " : blame_text(plan);
-  text += method_name(plan.chosen.method) + "\n" + result_text(plan) + dropped_text(plan) +
+  text += measure::method_name(plan.chosen.method) + "\n" + result_text(plan) + dropped_text(plan) +
           parts_text(plan) + times_text(plan);
   if (plan.best_of_all) {
     text += fmt::format("\n  {:.2f} times the time of the best of all {} choices, {}",
-                        plan.time_to_best, plan.considered, method_name(plan.best_of_all->method));
+                        plan.time_to_best, plan.considered,
+                        measure::method_name(plan.best_of_all->method));
   }
   return text;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

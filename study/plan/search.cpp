@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 constexpr double kClearly = 1.05;    // slower by this factor counts as slower
@@ -20,10 +20,10 @@ void report(const Progress& progress, double done) {
 /// The search of one method's grids.
 class Rungs {
  public:
-  Rungs(const Method& method, std::span<const GridSize> ladder, Trials& trials)
+  Rungs(const measure::Method& method, std::span<const measure::GridSize> ladder, Trials& trials)
       : method_(method), ladder_(ladder), trials_(trials) {}
 
-  Method at(std::size_t rung) const { return with_grid(method_, ladder_[rung]); }
+  measure::Method at(std::size_t rung) const { return measure::with_grid(method_, ladder_[rung]); }
   bool meets(std::size_t rung) { return trials_.result(at(rung)).met; }
   bool fails_by_far(std::size_t rung) { return trials_.result(at(rung)).failing > kFar; }
 
@@ -77,31 +77,32 @@ class Rungs {
     }
   }
 
-  Method method_;
-  std::span<const GridSize> ladder_;
+  measure::Method method_;
+  std::span<const measure::GridSize> ladder_;
   Trials& trials_;
 };
 
-std::optional<Method> fastest(std::span<const Method> methods, Trials& trials) {
-  std::optional<Method> best;
-  for (const Method& m : methods) {
+std::optional<measure::Method> fastest(std::span<const measure::Method> methods, Trials& trials) {
+  std::optional<measure::Method> best;
+  for (const measure::Method& m : methods) {
     if (!best || trials.ratio(m) < trials.ratio(*best)) best = m;
   }
   return best;
 }
 
 /// Those within `share` of the fastest.
-std::vector<Method> contenders(std::span<const Method> methods, double share, Trials& trials) {
-  const std::optional<Method> best = fastest(methods, trials);
-  std::vector<Method> near;
-  for (const Method& m : methods) {
+std::vector<measure::Method> contenders(std::span<const measure::Method> methods, double share,
+                                        Trials& trials) {
+  const std::optional<measure::Method> best = fastest(methods, trials);
+  std::vector<measure::Method> near;
+  for (const measure::Method& m : methods) {
     if (trials.min_ratio(m) <= share * trials.ratio(*best)) near.push_back(m);
   }
   return near;
 }
 
 /// A few rounds for every method, more for contenders, and more still for the closest of them.
-void time_well(std::span<const Method> methods, Trials& trials, int rounds) {
+void time_well(std::span<const measure::Method> methods, Trials& trials, int rounds) {
   if (methods.empty()) return;
   trials.time(methods, kFirst);
   trials.time(contenders(methods, 1.5, trials), rounds);
@@ -110,11 +111,12 @@ void time_well(std::span<const Method> methods, Trials& trials, int rounds) {
 
 /// The first rung for which the prediction guarantees the tolerance; if none, the first whose place
 /// it guarantees. The effect of the texture's filter is left to measuring.
-std::size_t guessed_rung(const Method& method, std::span<const GridSize> ladder,
+std::size_t guessed_rung(const measure::Method& method, std::span<const measure::GridSize> ladder,
                          const Predictor& predictor) {
   const auto first = [&](auto promised) {
     std::size_t rung = 0;
-    while (rung + 1 < ladder.size() && !promised(predictor.of(with_grid(method, ladder[rung])))) {
+    while (rung + 1 < ladder.size() &&
+           !promised(predictor.of(measure::with_grid(method, ladder[rung])))) {
       ++rung;
     }
     return rung;
@@ -128,26 +130,27 @@ std::size_t guessed_rung(const Method& method, std::span<const GridSize> ladder,
   return first([&](const PredictedError& error) { return error.place <= tolerance.shift; });
 }
 
-std::vector<Method> on_coarsest(const Candidates& candidates) {
-  std::vector<Method> coarse;
-  for (const Method& method : candidates.methods)
-    coarse.push_back(with_grid(method, candidates.ladder.front()));
+std::vector<measure::Method> on_coarsest(const Candidates& candidates) {
+  std::vector<measure::Method> coarse;
+  for (const measure::Method& method : candidates.methods)
+    coarse.push_back(measure::with_grid(method, candidates.ladder.front()));
   return coarse;
 }
 
 /// Whether `quicker` is the same method in double with fewer samples. Each sample is shaded: with
 /// four times as many a frame takes nearly four times as long, and timing it takes long.
-bool is_quicker(const Method& quicker, const Method& method) {
-  Method same = method;
+bool is_quicker(const measure::Method& quicker, const measure::Method& method) {
+  measure::Method same = method;
   same.samples = quicker.samples;
-  return method.number == Number::kDouble && quicker == same && quicker.samples < method.samples;
+  return method.number == measure::Number::kDouble && quicker == same &&
+         quicker.samples < method.samples;
 }
 
 /// Takes out of `methods` all except those that are others with more samples.
-std::vector<Method> take_quickest(std::vector<Method>& methods) {
-  std::vector<Method> quickest, slower;
-  for (const Method& method : methods) {
-    const auto quicker = [&](const Method& m) { return is_quicker(m, method); };
+std::vector<measure::Method> take_quickest(std::vector<measure::Method>& methods) {
+  std::vector<measure::Method> quickest, slower;
+  for (const measure::Method& method : methods) {
+    const auto quicker = [&](const measure::Method& m) { return is_quicker(m, method); };
     (std::ranges::any_of(methods, quicker) ? slower : quickest).push_back(method);
   }
   methods = std::move(slower);
@@ -161,11 +164,12 @@ class MethodSearch {
       : choices_(candidates), predictor_(predictor), trials_(trials) {}
 
   /// Searches those of `methods` that are fast enough on their coarsest grid, the fastest first.
-  void search(std::vector<Method> methods, const Progress& progress) {
+  void search(std::vector<measure::Method> methods, const Progress& progress) {
     trials_.time(methods, kFirst);
-    std::ranges::stable_sort(methods, {}, [&](const Method& m) { return trials_.min_ratio(m); });
+    std::ranges::stable_sort(methods, {},
+                             [&](const measure::Method& m) { return trials_.min_ratio(m); });
     double done = 0;
-    for (const Method& method : methods) {
+    for (const measure::Method& method : methods) {
       report(progress, 0.8 * done++ / double(methods.size()));
       if (!is_too_slow(method)) search(method);
     }
@@ -173,9 +177,10 @@ class MethodSearch {
 
   /// Those of `methods`, none of them searched or timed, that may be fast enough although they have
   /// more samples than others: four times as many take at least twice as long.
-  std::vector<Method> fast_enough(std::vector<Method> methods, std::span<const Method> all) {
-    std::erase_if(methods, [&](const Method& method) {
-      return std::ranges::any_of(all, [&](const Method& quicker) {
+  std::vector<measure::Method> fast_enough(std::vector<measure::Method> methods,
+                                           std::span<const measure::Method> all) {
+    std::erase_if(methods, [&](const measure::Method& method) {
+      return std::ranges::any_of(all, [&](const measure::Method& quicker) {
         return is_quicker(quicker, method) &&
                is_too_slow(quicker, std::sqrt(double(method.samples) / quicker.samples));
       });
@@ -183,16 +188,16 @@ class MethodSearch {
     return methods;
   }
 
-  std::span<const Method> finalists() const { return finalists_; }
+  std::span<const measure::Method> finalists() const { return finalists_; }
 
  private:
   /// Whether the best so far is faster than this many times the method's time on its coarsest grid.
-  bool is_too_slow(const Method& method, double times = 1) {
-    const std::optional<Method> best = fastest(finalists_, trials_);
+  bool is_too_slow(const measure::Method& method, double times = 1) {
+    const std::optional<measure::Method> best = fastest(finalists_, trials_);
     return best && times * trials_.min_ratio(method) > kClearly * trials_.ratio(*best);
   }
 
-  void search(const Method& method) {
+  void search(const measure::Method& method) {
     Rungs rungs(method, choices_.ladder, trials_);
     const auto found = rungs.coarsest(guessed_rung(method, choices_.ladder, predictor_));
     if (!found) return;
@@ -206,16 +211,17 @@ class MethodSearch {
   const Candidates& choices_;
   const Predictor& predictor_;
   Trials& trials_;
-  std::vector<Method> finalists_;
+  std::vector<measure::Method> finalists_;
 };
 
 }  // namespace
 
-std::optional<Method> fastest_that_meets(const Candidates& candidates, const Predictor& predictor,
-                                         Trials& trials, int rounds, const Progress& progress) {
-  const std::vector<Method> all = on_coarsest(candidates);
+std::optional<measure::Method> fastest_that_meets(const Candidates& candidates,
+                                                  const Predictor& predictor, Trials& trials,
+                                                  int rounds, const Progress& progress) {
+  const std::vector<measure::Method> all = on_coarsest(candidates);
   MethodSearch search(candidates, predictor, trials);
-  for (std::vector<Method> left = all, now; !left.empty();) {
+  for (std::vector<measure::Method> left = all, now; !left.empty();) {
     const bool first = left.size() == all.size();
     now = take_quickest(left);
     search.search(search.fast_enough(now, all), first ? progress : Progress{});
@@ -225,27 +231,28 @@ std::optional<Method> fastest_that_meets(const Candidates& candidates, const Pre
   return fastest(search.finalists(), trials);
 }
 
-std::optional<Method> fastest_of_all(const Candidates& candidates,
-                                     const std::optional<Method>& chosen, Trials& trials,
-                                     int rounds, const Progress& progress) {
+std::optional<measure::Method> fastest_of_all(const Candidates& candidates,
+                                              const std::optional<measure::Method>& chosen,
+                                              Trials& trials, int rounds,
+                                              const Progress& progress) {
   trials.time(on_coarsest(candidates), kFirst);
   // More triangles take longer with any method.
-  const auto hopeless = [&](const Method& method) {
-    const double min = trials.min_ratio(with_grid(method, candidates.ladder.front()));
+  const auto hopeless = [&](const measure::Method& method) {
+    const double min = trials.min_ratio(measure::with_grid(method, candidates.ladder.front()));
     return chosen && min > 2 * trials.ratio(*chosen);
   };
-  std::vector<Method> meeting;
+  std::vector<measure::Method> meeting;
   double done = 0;
-  for (const GridSize& grid : candidates.ladder) {
-    for (const Method& without_grid : candidates.methods) {
-      const Method method = with_grid(without_grid, grid);
+  for (const measure::GridSize& grid : candidates.ladder) {
+    for (const measure::Method& without_grid : candidates.methods) {
+      const measure::Method method = measure::with_grid(without_grid, grid);
       if (trials.result(method).met && !hopeless(method)) meeting.push_back(method);
     }
     report(progress, 0.6 * ++done / double(candidates.ladder.size()));
   }
   time_well(meeting, trials, rounds);
   if (chosen) {
-    std::vector<Method> last = contenders(meeting, kContender, trials);
+    std::vector<measure::Method> last = contenders(meeting, kContender, trials);
     last.push_back(*chosen);
     trials.time(last, kBetter * rounds);
   }
@@ -253,13 +260,14 @@ std::optional<Method> fastest_of_all(const Candidates& candidates,
   return fastest(meeting, trials);
 }
 
-Method closest_method(const Candidates& candidates, const MeasurementStore& store) {
-  Method closest = with_grid(candidates.methods.front(), candidates.ladder.back());
+measure::Method closest_method(const Candidates& candidates, const MeasurementStore& store) {
+  measure::Method closest =
+      measure::with_grid(candidates.methods.front(), candidates.ladder.back());
   double min = std::numeric_limits<double>::infinity();
-  for (const GridSize& grid : candidates.ladder) {
-    for (const Method& without_grid : candidates.methods) {
-      const Method method = with_grid(without_grid, grid);
-      const auto known = store.results().find(method_name(method));
+  for (const measure::GridSize& grid : candidates.ladder) {
+    for (const measure::Method& without_grid : candidates.methods) {
+      const measure::Method method = measure::with_grid(without_grid, grid);
+      const auto known = store.results().find(measure::method_name(method));
       if (known == store.results().end() || known->second.error >= min) continue;
       min = known->second.error;
       closest = method;
@@ -268,4 +276,4 @@ Method closest_method(const Candidates& candidates, const MeasurementStore& stor
   return closest;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

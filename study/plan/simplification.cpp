@@ -13,7 +13,7 @@
 #include "shaders/formulas/lighting.h"
 #include "study/plan/bounds.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -273,4 +273,4 @@ std::vector<Simplification> simplifications(const SimplifiedScene& simplified,
   return Listing(simplified, seen).all();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -10,7 +10,7 @@
 #include "render/rasterizer.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// A scene's simplified view and texture.
 struct SimplifiedScene {
@@ -35,4 +35,4 @@ struct Simplification {
 std::vector<Simplification> simplifications(const SimplifiedScene& simplified,
                                             std::span<const Fragment> seen);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

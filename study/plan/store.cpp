@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -47,7 +47,7 @@ void MeasurementStore::read(const Json& json) {
   }
 }
 
-void MeasurementStore::add(const std::string& name, const FrameRound& round) {
+void MeasurementStore::add(const std::string& name, const measure::FrameRound& round) {
   rounds_[name].push_back(round);
   save_at_intervals();
 }
@@ -67,7 +67,7 @@ Json MeasurementStore::values() const {
     json["judgements"][name] = result_json(result);
   }
   for (const auto& [name, rounds] : rounds_) {
-    for (const FrameRound& round : rounds) {
+    for (const measure::FrameRound& round : rounds) {
       json["rounds"][name].push_back({round.ratio, round.milliseconds});
     }
   }
@@ -80,4 +80,4 @@ void MeasurementStore::save_at_intervals() {
 
 void MeasurementStore::save() { checkpoint_.save(values()); }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

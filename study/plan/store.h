@@ -10,7 +10,7 @@
 #include "study/measure/frame_time.h"
 #include "study/plan/verifier.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// Tolerance results and times by the names of methods.
 class MeasurementStore {
@@ -34,9 +34,11 @@ class MeasurementStore {
   const std::map<std::string, ToleranceResult>& results() const { return results_; }
 
   /// The rounds timed so far.
-  const std::vector<FrameRound>& rounds(const std::string& name) { return rounds_[name]; }
-  const std::map<std::string, std::vector<FrameRound>>& all_rounds() const { return rounds_; }
-  void add(const std::string& name, const FrameRound& round);
+  const std::vector<measure::FrameRound>& rounds(const std::string& name) { return rounds_[name]; }
+  const std::map<std::string, std::vector<measure::FrameRound>>& all_rounds() const {
+    return rounds_;
+  }
+  void add(const std::string& name, const measure::FrameRound& round);
 
   /// The number of names with a result or a round.
   std::size_t size() const;
@@ -48,10 +50,10 @@ class MeasurementStore {
   nlohmann::ordered_json values() const;
   void save_at_intervals();
 
-  Checkpoint checkpoint_;
+  measure::Checkpoint checkpoint_;
   bool started_again_ = false;
   std::map<std::string, ToleranceResult> results_;
-  std::map<std::string, std::vector<FrameRound>> rounds_;
+  std::map<std::string, std::vector<measure::FrameRound>> rounds_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -4,7 +4,7 @@
 
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 void check_tolerance(const Tolerance& tolerance, bool area) {
   constexpr double kFarthest = 16;  // pixels; farther away is another picture
@@ -25,4 +25,4 @@ void check_tolerance(const Tolerance& tolerance, bool area) {
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -1,7 +1,7 @@
 /// How much a planned picture may differ from the truth.
 #pragma once
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// A pixel meets it if each channel, including coverage, is within `color` of the range that the
 /// truth can have if each of its points is moved by at most `shift`: with one sample per pixel, the
@@ -21,4 +21,4 @@ inline constexpr double kPointTruthError = 1e-8, kAreaTruthError = 1e-4;
 /// Throws Error, naming --tolerance or --shift, unless a picture can be checked against it.
 void check_tolerance(const Tolerance& tolerance, bool area);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

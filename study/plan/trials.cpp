@@ -10,7 +10,7 @@
 #include "study/measure/statistics.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 /// The number of coverage samples that is closest to the scene's.
@@ -19,34 +19,34 @@ int multisample_of(const ImageSpec& image) {
   return samples >= 16 ? 16 : samples >= 8 ? 8 : samples;
 }
 
-FastRenderer as_it_is(Scene scene) {
-  FastOptions options;
+fast::Renderer as_it_is(Scene scene) {
+  fast::Options options;
   options.samples = multisample_of(scene.view.image);
-  options.threads = kTimedThreads;
+  options.threads = measure::kTimedThreads;
   scene.view.image.samples = 1;
-  return FastRenderer(scene, options);
+  return fast::Renderer(scene, options);
 }
 
-std::vector<double> milliseconds_of(std::span<const FrameRound> rounds) {
+std::vector<double> milliseconds_of(std::span<const measure::FrameRound> rounds) {
   std::vector<double> times;
-  for (const FrameRound& round : rounds) times.push_back(round.milliseconds);
+  for (const measure::FrameRound& round : rounds) times.push_back(round.milliseconds);
   return times;
 }
 
 }  // namespace
 
-const ToleranceResult& Trials::result(const Method& method) {
-  return store_.result(method_name(method), [&] {
+const ToleranceResult& Trials::result(const measure::Method& method) {
+  return store_.result(measure::method_name(method), [&] {
     check_interrupted();
     return checker_.check(bench_.draw(method));
   });
 }
 
-void Trials::time(std::span<const Method> methods, int rounds) {
+void Trials::time(std::span<const measure::Method> methods, int rounds) {
   for (int i = 0; i < rounds; ++i) {
-    for (const Method& method : methods) {
-      const std::string name = method_name(method);
-      if (!needs_round(milliseconds_of(store_.rounds(name)), std::size_t(i))) continue;
+    for (const measure::Method& method : methods) {
+      const std::string name = measure::method_name(method);
+      if (!measure::needs_round(milliseconds_of(store_.rounds(name)), std::size_t(i))) continue;
       check_interrupted();
       store_.add(name, bench_.time(method));
     }
@@ -55,13 +55,14 @@ void Trials::time(std::span<const Method> methods, int rounds) {
 
 double Trials::ratio(const std::string& name) {
   std::vector<double> ratios;
-  for (const FrameRound& round : store_.rounds(name)) ratios.push_back(round.ratio);
-  return ratios.empty() ? std::numeric_limits<double>::infinity() : median(std::move(ratios));
+  for (const measure::FrameRound& round : store_.rounds(name)) ratios.push_back(round.ratio);
+  return ratios.empty() ? std::numeric_limits<double>::infinity()
+                        : measure::median(std::move(ratios));
 }
 
-double Trials::min_ratio(const Method& method) {
+double Trials::min_ratio(const measure::Method& method) {
   double min = std::numeric_limits<double>::infinity();
-  for (const FrameRound& round : store_.rounds(method_name(method))) {
+  for (const measure::FrameRound& round : store_.rounds(measure::method_name(method))) {
     min = std::min(min, round.ratio);
   }
   return min;
@@ -70,9 +71,10 @@ double Trials::min_ratio(const Method& method) {
 double Trials::baseline_milliseconds() const {
   std::vector<double> times;
   for (const auto& [name, rounds] : store_.all_rounds()) {
-    for (const FrameRound& round : rounds) times.push_back(round.milliseconds / round.ratio);
+    for (const measure::FrameRound& round : rounds)
+      times.push_back(round.milliseconds / round.ratio);
   }
-  return times.empty() ? 0 : median(std::move(times));
+  return times.empty() ? 0 : measure::median(std::move(times));
 }
 
 double Trials::milliseconds(const std::string& name) {
@@ -80,20 +82,20 @@ double Trials::milliseconds(const std::string& name) {
 }
 
 void Trials::time_reference(const Scene& scene, int rounds) {
-  oneapi::tbb::task_arena arena(kTimedThreads);
+  oneapi::tbb::task_arena arena(measure::kTimedThreads);
   const auto frame = [&] {
     arena.execute([&] { render(scene, [](double) { check_interrupted(); }); });
   };
-  const std::size_t enough = std::min(std::size_t(rounds), kSlowRounds);
+  const std::size_t enough = std::min(std::size_t(rounds), measure::kSlowRounds);
   while (store_.rounds(kReference).size() < enough) {
     check_interrupted();
     store_.add(kReference, bench_.time(frame));
   }
 }
 
-DrawFrame fast_frame(const Scene& scene) {
-  const std::shared_ptr<FastRenderer> renderer(new FastRenderer(as_it_is(scene)));
-  return [renderer, image = std::make_shared<Grid<Rgba8>>()] { renderer->draw(*image); };
+measure::DrawFrame fast_frame(const Scene& scene) {
+  const std::shared_ptr<fast::Renderer> renderer(new fast::Renderer(as_it_is(scene)));
+  return [renderer, image = std::make_shared<Grid<fast::Rgba8>>()] { renderer->draw(*image); };
 }
 
 Image fast_image(const Scene& scene) {
@@ -102,4 +104,4 @@ Image fast_image(const Scene& scene) {
   return image;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -7,26 +7,26 @@
 #include "study/plan/candidates.h"
 #include "study/plan/store.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// One scene's methods; what is measured is kept in a store.
 class Trials {
  public:
   /// All are kept by reference.
-  Trials(MethodBench& bench, const ToleranceChecker& checker, MeasurementStore& store)
+  Trials(measure::MethodBench& bench, const ToleranceChecker& checker, MeasurementStore& store)
       : bench_(bench), checker_(checker), store_(store) {}
 
-  const ToleranceResult& result(const Method& method);
+  const ToleranceResult& result(const measure::Method& method);
 
   /// Times the methods until each has `rounds` rounds, taking turns in each round.
-  void time(std::span<const Method> methods, int rounds);
+  void time(std::span<const measure::Method> methods, int rounds);
 
   /// The median of the rounds' ratios; infinite before the first.
-  double ratio(const Method& method) { return ratio(method_name(method)); }
+  double ratio(const measure::Method& method) { return ratio(measure::method_name(method)); }
   double ratio(const std::string& name);
 
   /// The smallest of them: a disturbed round makes no method slow.
-  double min_ratio(const Method& method);
+  double min_ratio(const measure::Method& method);
 
   /// Milliseconds per frame: the ratio times what the baseline's frames take.
   double milliseconds(const std::string& name);
@@ -39,15 +39,15 @@ class Trials {
   double baseline_milliseconds() const;
 
  private:
-  MethodBench& bench_;
+  measure::MethodBench& bench_;
   const ToleranceChecker& checker_;
   MeasurementStore& store_;
 };
 
 /// A frame of `scene` as `lumaknot render --fast` draws it, on one thread.
-DrawFrame fast_frame(const Scene& scene);
+measure::DrawFrame fast_frame(const Scene& scene);
 
 /// That frame as a picture.
 Image fast_image(const Scene& scene);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

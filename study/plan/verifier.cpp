@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 /// Means over pixels are known to an eighth of the tolerance.
@@ -21,20 +21,20 @@ double mean_error(const Tolerance& tolerance) {
 Scene with_true_material(Scene scene) {
   scene.mesh = {};  // rays meet the exact surface
   Material& material = scene.view.material;
-  material = true_material(material, material.space);
+  material = measure::true_material(material, material.space);
   return scene;
 }
 
-Sample sample_of(const RgbaPixel& pixel) { return {to_vec(pixel.color), pixel.coverage}; }
+exact::Sample sample_of(const RgbaPixel& pixel) { return {to_vec(pixel.color), pixel.coverage}; }
 
-SampleRange range_about(const Sample& sample, double error) {
+SampleRange range_about(const exact::Sample& sample, double error) {
   constexpr double kFar = 1e30;
   SampleRange range{{{kFar, kFar, kFar}, kFar}, {{-kFar, -kFar, -kFar}, -kFar}};
   range.add(sample, error);
   return range;
 }
 
-std::unique_ptr<NeighborhoodRange> nearby_range(const Sample& sample, double error) {
+std::unique_ptr<NeighborhoodRange> nearby_range(const exact::Sample& sample, double error) {
   const SampleRange range = range_about(sample, error);
   return std::make_unique<NeighborhoodRange>(
       NeighborhoodRange{.place = range, .coarse = {}, .quick = {}, .full = {}, .behind = {}});
@@ -82,12 +82,12 @@ ToleranceChecker::ToleranceChecker(Scene scene, const KnotSpec& knot, const Tole
   }
   const auto covered = [](const RgbaPixel& p) { return p.coverage > 0; };
   if (std::ranges::none_of(truth_.pixels, covered)) {
-    throw Error(kNothingSeen);
+    throw Error(measure::kNothingSeen);
   }
 }
 
 void ToleranceChecker::look_at_centres() {
-  fragments_ = Grid<ExactFragment>(truth_.width, truth_.height);
+  fragments_ = Grid<exact::ExactFragment>(truth_.width, truth_.height);
   oneapi::tbb::parallel_for(0, truth_.height, [&](int y) {
     check_interrupted();
     for (int x = 0; x < truth_.width; ++x) fragments_.at(x, y) = pixels_.at(x + 0.5, y + 0.5);
@@ -100,7 +100,7 @@ void ToleranceChecker::take_centres() {
   each(all, [&](std::size_t i) {
     const Fragment& seen = fragments_.pixels[i].fragment;
     if (!seen.covered()) return;
-    const Sample sample = pixels_.sample(seen);
+    const exact::Sample sample = pixels_.sample(seen);
     truth_.pixels[i] = {to_rgb(sample.color), 1};
     ranges_[i] = nearby_range(sample, 0);
   });
@@ -112,8 +112,8 @@ void ToleranceChecker::take_means(const Progress& progress) {
     const int end = std::min(y + 16, truth_.height);
     oneapi::tbb::parallel_for(y, end, [&](int row) {
       check_interrupted();
-      const std::vector<PixelTruth> means =
-          area_row(pixels_, row, truth_.width, mean_error(tolerance_));
+      const std::vector<exact::PixelTruth> means =
+          exact::area_row(pixels_, row, truth_.width, mean_error(tolerance_));
       for (int x = 0; x < truth_.width; ++x) {
         const auto& [sample, error] = means[std::size_t(x)];
         truth_.at(x, row) = {to_rgb(sample.color), float(sample.coverage)};
@@ -135,7 +135,7 @@ std::vector<ToleranceChecker::Suspect> ToleranceChecker::suspects(const Image& p
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     if (picture.pixels[i].coverage == 0 && truth_.pixels[i].coverage == 0) continue;
     ++total.covered;
-    const Sample sample = sample_of(picture.pixels[i]);
+    const exact::Sample sample = sample_of(picture.pixels[i]);
     const double error = range_about(sample_of(truth_.pixels[i]), 0).distance(sample);
     total.in_place = std::max(total.in_place, error);
     total.mean_in_place += error;
@@ -151,7 +151,7 @@ std::vector<ToleranceChecker::Suspect> ToleranceChecker::suspects(const Image& p
   return far;
 }
 
-void ToleranceChecker::look_closer(Suspect& suspect, const Sample& sample) const {
+void ToleranceChecker::look_closer(Suspect& suspect, const exact::Sample& sample) const {
   NeighborhoodRange& neighborhood = *ranges_[suspect.pixel];
   const int x = int(suspect.pixel) % truth_.width, y = int(suspect.pixel) / truth_.width;
   switch (++suspect.looks) {
@@ -213,4 +213,4 @@ PixelErrors ToleranceChecker::check_all(const Image& picture) const {
   return examine(picture, true);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -9,7 +9,7 @@
 #include "render/reference.h"
 #include "study/plan/neighborhood.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// How a picture compares with the truth. Errors are of the largest channel, including coverage, of
 /// each pixel that the picture or the truth covers, unrounded, colours limited to [0, 1].
@@ -57,7 +57,7 @@ class ToleranceChecker {
   const Image& truth() const { return truth_; }
 
   /// The exact surface as seen from each pixel's centre.
-  const Grid<ExactFragment>& fragments() const { return fragments_; }
+  const Grid<exact::ExactFragment>& fragments() const { return fragments_; }
 
  private:
   /// A pixel that is beyond the tolerance as far as it was examined.
@@ -73,17 +73,17 @@ class ToleranceChecker {
   void take_means(const Progress& progress);
   PixelErrors examine(const Image& picture, bool all) const;
   std::vector<Suspect> suspects(const Image& picture, PixelErrors& result) const;
-  void look_closer(Suspect& suspect, const Sample& sample) const;
+  void look_closer(Suspect& suspect, const exact::Sample& sample) const;
 
   Scene scene_;
   Tolerance tolerance_;
   bool area_;
-  ExactPixels pixels_;
+  exact::ExactPixels pixels_;
   PixelNeighborhood neighborhood_;
-  Grid<ExactFragment> fragments_;
+  Grid<exact::ExactFragment> fragments_;
   Image truth_;
   /// Per pixel; examined when a picture needs it. Each pixel by one thread at a time.
   mutable std::vector<std::unique_ptr<NeighborhoodRange>> ranges_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

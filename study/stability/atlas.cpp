@@ -9,7 +9,7 @@
 #include "exporters/image/file.h"
 #include "study/measure/gnuplot.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 std::vector<Measured> measure(const Measurement& measure, const std::vector<double>& values,
@@ -167,7 +167,7 @@ std::string sweep_chart(const Region& region, const Entry& entry) {
       entry.guarded.empty() ? ""
                             : ", $remedy with linespoints linecolor rgb '#1a7f37' pointtype 7 "
                               "pointsize 0.4 title 'remedy'");
-  return draw_chart(script, ChartFormat::kSvg, 560, 340);
+  return measure::draw_chart(script, measure::ChartFormat::kSvg, 560, 340);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -7,7 +7,7 @@
 
 #include "study/stability/region.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 /// A region's picture at one value.
 struct Picture {
@@ -54,4 +54,4 @@ std::string sketch_png(const Image& image);
 /// intervals that were measured to fail, the first of them from the boundary on.
 std::string sweep_chart(const Region& region, const Entry& entry);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

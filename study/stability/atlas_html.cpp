@@ -3,25 +3,27 @@
 #include "study/stability/atlas_report.h"
 #include "validate/report/page_kit.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view atlas_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::stability {
 namespace {
 
-using Data = PageData;
+using Data = validate::PageData;
 
 Data picture_data(const Picture& picture, const std::string& region) {
   Data data;
   if (!picture.caption.empty()) data.set("caption", picture.caption);
   data.set("alt", region + ": " + (picture.caption.empty() ? "chart" : picture.caption));
   data.set("class", picture.file.substr(0, picture.file.find('.')));
-  data.set("url", picture_url(picture.png, picture.file.ends_with(".svg") ? "svg+xml" : "png"));
+  data.set("url",
+           validate::picture_url(picture.png, picture.file.ends_with(".svg") ? "svg+xml" : "png"));
   return data;
 }
 
 Data also_data(const std::vector<AlsoMeasured>& also) {
-  return page_list(also, [](const AlsoMeasured& a) {
+  return validate::page_list(also, [](const AlsoMeasured& a) {
     Data row;
     row.set("name", a.name);
     row.set("holds", fmt::format("{:.4g}", a.holds));
@@ -46,7 +48,7 @@ Data entry_data(const Entry& e) {
   if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));
   data.set("also", also_data(e.also));
   data.set("has_also", !e.also.empty());
-  data.set("pictures", page_list(e.pictures, [&](const Picture& picture) {
+  data.set("pictures", validate::page_list(e.pictures, [&](const Picture& picture) {
              return picture_data(picture, e.name);
            }));
   return data;
@@ -71,7 +73,7 @@ Data groups_data(const Atlas& atlas) {
 }
 
 Data energies_data(const std::vector<Energy>& energies) {
-  return page_list(energies, [](const Energy& e) {
+  return validate::page_list(energies, [](const Energy& e) {
     Data row;
     row.set("term", e.term);
     row.set("most", fmt::format("{:.4g}", e.max));
@@ -91,7 +93,7 @@ std::string atlas_html(const Atlas& atlas) {
   page.set("groups", groups_data(atlas));
   page.set("energies", energies_data(atlas.energies));
   page.set("has_energies", !atlas.energies.empty());
-  return render_page(embedded::atlas_template(), std::move(page));
+  return validate::render_page(embedded::atlas_template(), std::move(page));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

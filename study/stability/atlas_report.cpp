@@ -13,7 +13,7 @@
 #include "system/error.h"
 #include "system/version.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -109,7 +109,7 @@ Json energies_json(const std::vector<Energy>& energies) {
   return list;
 }
 
-CheckpointKeys atlas_keys() { return {{"version", std::string(version())}}; }
+measure::CheckpointKeys atlas_keys() { return {{"version", std::string(version())}}; }
 
 Json atlas_values(const Atlas& atlas) {
   Json json;
@@ -198,13 +198,13 @@ std::string atlas_text(const Atlas& atlas) {
 }
 
 std::string atlas_json(const Atlas& atlas) {
-  return checkpoint_text(atlas_keys(), atlas_values(atlas));
+  return measure::checkpoint_text(atlas_keys(), atlas_values(atlas));
 }
 
 Atlas read_atlas(const std::string& text, const std::filesystem::path& folder,
                  std::string_view label) {
   Atlas atlas;
-  const LoadResult result = load_checkpoint(
+  const measure::LoadResult result = measure::load_checkpoint(
       text, atlas_keys(), [&](const Json& json) { atlas = atlas_from(json, folder); });
   if (result.loaded()) return atlas;
   if (result.field.empty()) {
@@ -215,4 +215,4 @@ Atlas read_atlas(const std::string& text, const std::filesystem::path& folder,
                           label, result.found, version()));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -8,7 +8,7 @@
 #include "study/stability/atlas.h"
 #include "study/stability/energy.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 struct Atlas {
   std::vector<Entry> entries;
@@ -39,4 +39,4 @@ std::string again_text(const Entry& entry);
 /// with enough digits to stay between them.
 std::string boundary_text(const Boundary& boundary);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

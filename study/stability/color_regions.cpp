@@ -9,7 +9,7 @@
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 /// The colours of the RGB cube in steps of a fifth.
@@ -237,4 +237,4 @@ std::vector<Region> color_regions() {
   return regions;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

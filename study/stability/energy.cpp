@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 double reflected_share(const Term& term, double incidence) {
   constexpr int kSteps = 160;
@@ -89,4 +89,4 @@ std::vector<Energy> energies() {
   return all;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -7,7 +7,7 @@
 
 #include "models/registry.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 /// One of the terms of a lighting model, its numbers bound, for a white light of intensity 1.
 using Term = std::function<double(const Directions<double>&)>;
@@ -33,4 +33,4 @@ Energy energy_of(std::string name, const Term& term);
 /// read the same numbers stand side by side, number by number.
 std::vector<Energy> energies();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

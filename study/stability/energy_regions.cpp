@@ -6,7 +6,7 @@
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 /// The knot as a furnace would show it: each point as bright as the share that the term reflects at
@@ -135,4 +135,4 @@ std::vector<Region> all_regions() {
   return all;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -7,7 +7,7 @@
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 constexpr double kLevel = 1.0 / 255;  // one of 8 bits
@@ -163,4 +163,4 @@ std::vector<Region> float_regions() {
   return {huge_coordinates(), tiny_coordinates(), far_from_origin(), narrow_spot_edge()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -7,7 +7,7 @@
 #include "study/stability/test_scenes.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 constexpr double kSideDegrees = 360.0 / 40;  // degrees per side of figure2's tube
@@ -287,4 +287,4 @@ std::vector<Region> frame_regions() {
           difference_frames(), short_step(),        long_step()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -8,7 +8,7 @@
 #include "study/stability/test_scenes.h"
 #include "study/stability/tube_measures.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 KnotSpec with_tube(double radius) {
@@ -258,4 +258,4 @@ std::vector<Region> grid_regions() {
           few_sides(),      grazing_normals(), unnormalised_normal(), light_at_vertices()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

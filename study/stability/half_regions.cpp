@@ -6,7 +6,7 @@
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 constexpr std::string_view kHighp = "highp (single precision) for what is named here";
@@ -233,4 +233,4 @@ std::vector<Region> half_regions() {
           half_round_trip()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -6,7 +6,7 @@
 
 #include "shaders/formulas/terms.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 /// The largest difference of Phong's highlight in S from double, its peak seen from where it is
 /// above 1 %, on some normals.
@@ -32,4 +32,4 @@ double peak_error(double shininess) {
   return largest;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

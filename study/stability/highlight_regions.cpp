@@ -9,7 +9,7 @@
 #include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 /// The knot with only its highlight.
@@ -266,4 +266,4 @@ std::vector<Region> highlight_regions() {
           power_zero_zero(), shininess_float(),  shininess_sampling()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -9,7 +9,7 @@
 #include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 template <class Unit>
@@ -280,7 +280,7 @@ Region eye_inside_tube() {
     Scene scene = eye_near_line(d);
     scene.view.image = {side, side, 1};
     Image image;
-    FastRenderer(scene, {.cull_back_faces = true}).draw(image);
+    fast::Renderer(scene, {.cull_back_faces = true}).draw(image);
     return image;
   };
   region.shown_holds = 0.5;
@@ -295,4 +295,4 @@ std::vector<Region> light_regions() {
           light_at_infinity(), half_way_opposite(),  eye_inside_tube()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

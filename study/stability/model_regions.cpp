@@ -7,7 +7,7 @@
 #include "study/stability/test_scenes.h"
 #include "study/stability/textbook.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 /// Some unit normals in float.
@@ -203,4 +203,4 @@ std::vector<Region> model_regions() {
   return {oren_nayar_above(), cook_torrance_smooth(), cook_torrance_grazing()};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

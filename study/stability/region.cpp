@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 bool holds(const Region& region, double error) { return error <= region.limit; }
 
@@ -75,4 +75,4 @@ Boundary find_boundary(const Region& region, const std::vector<Measured>& sweep)
   return found;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

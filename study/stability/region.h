@@ -8,7 +8,7 @@
 
 #include "scene/image.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 /// A parameter on its way from where the method holds to where it fails.
 struct Sweep {
@@ -81,4 +81,4 @@ inline constexpr double kBoundaryTolerance = 1e-6;  ///< of the way; for whole n
 /// or kBoundaryTolerance apart. Throws std::logic_error if the first value fails or none does.
 Boundary find_boundary(const Region& region, const std::vector<Measured>& sweep);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -5,7 +5,7 @@
 
 #include "study/stability/region.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 std::vector<Region> frame_regions();
 std::vector<Region> grid_regions();
@@ -21,4 +21,4 @@ std::vector<Region> energy_regions();
 /// All of them, in the page's order.
 std::vector<Region> all_regions();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -8,7 +8,7 @@
 #include "scene/bricks.h"
 #include "scene/presets.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 KnotSpec sketch_knot() {
   KnotSpec knot = std::get<KnotSpec>(builtin_scene("figure1-front")->mesh);
@@ -105,4 +105,4 @@ TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, i
   return mesh;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

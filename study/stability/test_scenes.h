@@ -11,7 +11,7 @@
 #include "scene/spec.h"
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 /// The built-in knot on a grid for small pictures: 384 x 32.
 KnotSpec sketch_knot();
@@ -63,4 +63,4 @@ double largest_difference(const Scene& scene, int side, const FragmentColor& a,
 /// A tube of one component with its rings at `frames`; the last is the seam's other side.
 TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, int sides);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -7,7 +7,7 @@
 
 #include "shaders/formulas/terms.h"
 
-namespace lumaknot::textbook {
+namespace lumaknot::stability::textbook {
 
 /// 2^(k log2 b), as graphics hardware computes pow(b, k): not a number for 0^0.
 template <class S>
@@ -56,4 +56,4 @@ S cook_torrance(const Directions<S>& d, S roughness) {
          d.n_dot_l;
 }
 
-}  // namespace lumaknot::textbook
+}  // namespace lumaknot::stability::textbook

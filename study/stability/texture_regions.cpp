@@ -4,7 +4,7 @@
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 KnotSpec square_grid(double sides) {
@@ -111,4 +111,4 @@ Region scrolled_texture() {
 
 std::vector<Region> texture_regions() { return {texture_seam(), scrolled_texture()}; }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -6,7 +6,7 @@
 #include "meshgen/deviation.h"
 #include "meshgen/tube_distance.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 
 double overlap(const KnotSpec& knot) {
   constexpr int kLines = 512, kRings = 128, kSides = 24;
@@ -35,4 +35,4 @@ double chord_share(const KnotSpec& knot) {
          knot.tube_radius;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

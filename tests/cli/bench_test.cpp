@@ -3,7 +3,7 @@
 
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -85,4 +85,4 @@ TEST_F(Bench, files_of_other_kinds_are_refused_before_anything_is_timed) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

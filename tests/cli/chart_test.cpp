@@ -5,7 +5,7 @@
 
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -146,4 +146,4 @@ TEST_F(ChartCommand, wrong_flags_and_paths_are_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

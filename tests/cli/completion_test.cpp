@@ -7,7 +7,7 @@
 #include "scene/fields.h"
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -201,4 +201,4 @@ TEST_F(Completion, zsh_finds_the_script_in_fpath) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

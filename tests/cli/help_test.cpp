@@ -9,7 +9,7 @@
 #include "cli/parser.h"
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::AllOf;
@@ -203,4 +203,4 @@ TEST_F(Help, man_finds_no_fault_with_the_pages) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -3,7 +3,7 @@
 #include "exporters/mesh/format.h"
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using Json = nlohmann::json;
@@ -82,4 +82,4 @@ TEST_F(Program, frames_that_are_undefined_are_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

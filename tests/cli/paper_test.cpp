@@ -5,7 +5,7 @@
 
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::HasSubstr;
@@ -78,4 +78,4 @@ TEST_F(PaperCommand, wrong_flags_and_paths_are_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

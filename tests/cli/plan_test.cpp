@@ -5,7 +5,7 @@
 
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::ElementsAre;
@@ -199,4 +199,4 @@ TEST_F(PlanCommand, scenes_without_a_pixel_or_an_exact_surface_are_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -11,7 +11,7 @@
 #include "system/process.h"
 #include "tests/system/exits_with.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 
 namespace fs = std::filesystem;
 
@@ -62,4 +62,4 @@ class Program : public ::testing::Test {
   PrivateFolder folder_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

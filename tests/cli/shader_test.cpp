@@ -9,7 +9,7 @@
 #include "system/error.h"
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST_F(ShaderCommand, list_and_emission_agree) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

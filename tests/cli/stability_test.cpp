@@ -3,7 +3,7 @@
 
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -81,4 +81,4 @@ TEST_F(Stability, refuses_unknown_regions_and_bad_folders) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

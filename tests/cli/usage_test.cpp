@@ -8,7 +8,7 @@
 #include "exporters/mesh/format.h"
 #include "tests/cli/program_test.h"
 
-namespace lumaknot {
+namespace lumaknot::cli {
 namespace {
 
 using ::testing::AllOf;
@@ -243,4 +243,4 @@ for name in ["bad", "worse"]:
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::cli

@@ -1,5 +1,5 @@
-// A model in one file: light that wraps around the surface, with a parameter of its own, and Blinn's
-// highlight.
+// A model in one file: light that wraps around the surface, with a parameter of its own, and
+// Blinn's highlight.
 #pragma once
 
 #include "models/blinn_phong.h"

@@ -1,7 +1,7 @@
 // A renderer in one file: it draws every pixel grey, with a program of its own.
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 constexpr ProgramInfo kToyProgram{"--toy", "toy-renderer", "toy renderer", "build it"};
@@ -45,4 +45,4 @@ extern const RendererEntry kToyEntry{.name = "Toy",
                                      .programs = {&kToyProgram},
                                      .limits = {.outlier = 1e-3, .reason = "a test"}};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -4,7 +4,7 @@
 
 #include "tests/gpu/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gpu {
 namespace {
 
 using Draws = EachApi;
@@ -218,4 +218,4 @@ INSTANTIATE_TEST_SUITE_P(Gpu, Draws, kApis, api_name);
 INSTANTIATE_TEST_SUITE_P(Gpu, MeshDraws, kApis, api_name);
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gpu

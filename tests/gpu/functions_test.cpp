@@ -5,7 +5,7 @@
 
 #include "tests/gpu/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gpu {
 namespace {
 
 constexpr int kSide = 128;            // inputs: 128 x 128
@@ -112,4 +112,4 @@ TEST_P(Functions, maximum_and_clamp_take_the_number_beside_a_nan) {
 INSTANTIATE_TEST_SUITE_P(Gpu, Functions, ::testing::Values("gl", "gles", "vulkan"), api_name);
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gpu

@@ -3,7 +3,7 @@
 // binding 0.
 #include "tests/gpu/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gpu {
 namespace {
 
 /// Binding t0 and s0 separately takes other numbers.
@@ -140,4 +140,4 @@ TEST_F(Hlsl, kernel_run_needs_no_vertices) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gpu

@@ -4,7 +4,7 @@
 #include "tests/gpu/testing.h"
 #include "tests/system/exits_with.h"
 
-namespace lumaknot {
+namespace lumaknot::gpu {
 namespace {
 
 using ::testing::AllOf;
@@ -317,4 +317,4 @@ TEST_F(VulkanJob, what_is_not_spirv_never_reaches_the_driver) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gpu

@@ -16,7 +16,7 @@
 #include "system/process.h"
 #include "tests/system/exits_with.h"
 
-namespace lumaknot {
+namespace lumaknot::gpu {
 
 using Json = nlohmann::ordered_json;
 using Pixel = std::array<float, 4>;
@@ -233,4 +233,4 @@ class EachApi : public GpuTest, public ::testing::WithParamInterface<std::string
   }
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::gpu

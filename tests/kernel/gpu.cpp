@@ -39,14 +39,15 @@ void add_stage(Json& draw, const fs::path& folder, const std::string& file, cons
   if (!fs::exists(folder / file)) {
     const bool is_source = backend_of(language).api != "vulkan";
     write_file(folder / file,
-               is_source ? text : compile_spirv({}, text, {is_hlsl, is_fragment, entry}), kPlace);
+               is_source ? text : validate::compile_spirv({}, text, {is_hlsl, is_fragment, entry}),
+               kPlace);
   }
   draw[stage] = file;
   draw[stage + "_entry"] = entry;
 }
 
 Colors colors_in(const fs::path& file) {
-  const Image image = read_gpu_image(file, kKernelSide, kKernelSide);
+  const Image image = validate::read_gpu_image(file, kKernelSide, kKernelSide);
   Colors colors;
   for (const RgbaPixel& p : image.pixels) colors.push_back({p.color.r, p.color.g, p.color.b});
   return colors;
@@ -90,7 +91,7 @@ std::vector<Colors> run_on_gpu(std::span<const Kernel> kernels, Language languag
 
 std::string missing_for_gpu(Language language) {
   if (backend_of(language).api == "vulkan" &&
-      find_program(Programs{}.path(kGlslangProgram)).empty()) {
+      find_program(validate::Programs{}.path(validate::kGlslangProgram)).empty()) {
     return "glslangValidator not found; install with apt-get install glslang-tools";
   }
   const PrivateFolder folder;

@@ -1,5 +1,5 @@
 """Checks the `#include "folder/..."` lines of every folder against the architecture's tables, that
-OpenImageIO, which is slow to load, stays in its module, and that folders stay small.
+OpenImageIO, which is slow to load, stays in its module, that folders stay small, and that namespaces follow them.
 
     check.py SOURCE_ROOT
 """
@@ -102,6 +102,31 @@ ENTRANCES = {
     "study/stability": ("atlas_report", "regions"),
 }
 
+# Folders whose code, tests included, is in a namespace of its own within lumaknot. The others share lumaknot:
+# they are the vocabulary of all.
+NAMESPACES = {
+    "exporters/blender": "blender",
+    "exporters/gltf": "gltf",
+    "exporters/obj": "obj",
+    "exporters/off": "off",
+    "exporters/om": "om",
+    "exporters/ply": "ply",
+    "exporters/povray": "povray",
+    "exporters/stl": "stl",
+    "render/exact": "exact",
+    "render/fast": "fast",
+    "validate": "validate",
+    "validate/gpu": "gpu",
+    "study/bench": "bench",
+    "study/budget": "budget",
+    "study/chart": "chart",
+    "study/measure": "measure",
+    "study/paper": "paper",
+    "study/plan": "plan",
+    "study/stability": "stability",
+    "cli": "cli",
+}
+
 # What may include from every folder.
 EVERYWHERE = ("tests",)
 
@@ -111,6 +136,8 @@ IMAGE_FOLDERS = ("exporters/image/module", "tests")
 MAX_SOURCES = 30  # per folder; a header and its source count as one
 
 OPEN_IMAGE_IO = re.compile(r"\s*#\s*include\s*<OpenImageIO/")
+NAMESPACE = re.compile(r"^namespace lumaknot(?:::(\w+))?[^{;]* \{", re.MULTILINE)
+COMMON_NAMESPACES = {"embedded", "testing"}
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"/]+/[^"]+)"')
 
 
@@ -173,10 +200,30 @@ def folder_violations(root):
                 yield f"{folder}/{name}: repeats the name of its folder"
 
 
+def namespace_of(folder):
+    """The namespace in lumaknot that the code in `folder` belongs to; empty if it shares lumaknot."""
+    return next((NAMESPACES[str(f)] for f in (folder, *folder.parents) if str(f) in NAMESPACES), "")
+
+
+def namespace_violations(root):
+    """Yields a line of text per source that a wrong namespace of lumaknot is opened in."""
+    for folder in ALLOWED:
+        for path in sorted((root / folder).rglob("*")):
+            name = path.relative_to(root)
+            wanted = namespace_of(Path(*name.parts[name.parts[0] == "tests":-1]))
+            # Entries of a list stand in the namespace of the list.
+            if path.suffix not in (".cpp", ".h") or not wanted or name.match("exporters/*/format.cpp"):
+                continue
+            opened = set(NAMESPACE.findall(path.read_text(encoding="utf-8"))) - COMMON_NAMESPACES
+            if opened - {wanted}:
+                yield f"{name}: belongs in namespace lumaknot::{wanted}"
+
+
 def violations(root):
     """Yields a line of text per broken rule."""
     yield from include_violations(root)
     yield from folder_violations(root)
+    yield from namespace_violations(root)
 
 
 def check(violations_of, arguments, usage):

@@ -22,10 +22,10 @@ TEST(ModelParameters, have_the_range_of_every_term) {
 }
 
 TEST(ModelParameters, name_the_models_that_differ_in_their_meaning) {
-  EXPECT_EQ(named("shininess").meaning, "exponent of Phong's and Blinn's highlight");
+  EXPECT_EQ(named("shininess").meaning, "k of the highlight max(v.R, 0)^k");
   EXPECT_EQ(named("roughness").meaning,
             "oren-nayar: sigma, radians; cook-torrance: square root of alpha");
-  EXPECT_EQ(named("darkness").meaning, "minnaert: exponent, 1 is Lambert");
+  EXPECT_EQ(named("darkness").meaning, "minnaert: 1 is Lambert");
 }
 
 TEST(ModelParameters, of_one_name_agree_on_all_but_range_and_meaning) {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(PageKit, a_list_has_a_row_for_each) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -6,7 +6,7 @@
 #include "scene/shot.h"
 #include "tests/validate/small_scene.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using ::testing::HasSubstr;
@@ -99,4 +99,4 @@ TEST(BrightestLight, sums_what_lights_send_where_the_mesh_is_nearest) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

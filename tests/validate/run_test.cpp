@@ -15,7 +15,7 @@
 #include "validate/renderers/external.h"
 #include "validate/report/forms.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST(Report, page_needs_nothing_else_and_trusts_no_name) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

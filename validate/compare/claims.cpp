@@ -6,7 +6,7 @@
 
 #include "shaders/spaces/yiq.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 double chroma(const Rgb& c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }
@@ -50,4 +50,4 @@ Claims measure_claims(const Image& final, const Image& texture, const Image& spe
   return claims;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -3,7 +3,7 @@
 
 #include "scene/image.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// Phong "completely grey", YIQ "keeps the surface's colour": how much colour highlights keep, how
 /// far hues move, and how much is lost by limiting to [0, 1].
@@ -19,4 +19,4 @@ struct Claims {
 /// From a final image, and our own images of the same scene's texture and specular stages.
 Claims measure_claims(const Image& final, const Image& texture, const Image& specular);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

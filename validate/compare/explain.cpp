@@ -7,7 +7,7 @@
 
 #include "render/projection.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 Vec3d triangle_normal(const TriangleMesh& mesh, const Fragment& fragment) {
@@ -147,7 +147,7 @@ double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited) {
 Reference::Reference(const Scene& s, const Grid<Fragment>& f)
     : scene(s),
       fragments(f),
-      silhouettes(lumaknot::silhouettes(s, f)),
+      silhouettes(lumaknot::validate::silhouettes(s, f)),
       rasterizer(s.mesh, s.view.camera, f.width, f.height, 16) {}
 
 PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
@@ -180,4 +180,4 @@ bool explains_coverage(const Reference& reference, PixelPlace place, double edge
                      !behind_sample(reference, place).covered());
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

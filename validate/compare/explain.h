@@ -6,7 +6,7 @@
 
 #include "render/reference.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 enum class PixelClass {
   kTurnedNormal,    ///< agrees once our normal, which faces away, is flipped to the viewer
@@ -61,4 +61,4 @@ PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixe
 /// `edge` pixels is covered where the centre is not, or vice versa.
 bool explains_coverage(const Reference& reference, PixelPlace place, double edge);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -8,7 +8,7 @@
 
 #include "validate/compare/quantile.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 /// One pixel covered in both images.
@@ -133,4 +133,4 @@ Image difference(const Image& a, const Image& b, bool limited) {
   return result;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

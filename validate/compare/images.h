@@ -9,7 +9,7 @@
 #include "validate/renderers/adapter.h"
 #include "validate/renderers/limits.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// How another renderer's image of a shot differs from ours. An error is the largest difference of
 /// a pixel's three channels; inside means covered in both images and away from silhouettes.
@@ -39,4 +39,4 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
 /// |a - b| x 16, limited to [0, 1] as in any image file; black where neither is covered.
 Image difference(const Image& a, const Image& b, bool limited);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 double quantile(std::vector<double> values, double share) {
   assert(share > 0 && share <= 1);
@@ -15,4 +15,4 @@ double quantile(std::vector<double> values, double share) {
   return *place;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -12,7 +12,7 @@
 #include "scene/spec.h"
 #include "validate/renderers/programs.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// What became of one shot.
 struct RenderedShot {
@@ -61,4 +61,4 @@ std::unique_ptr<Renderer> own_renderer(const Grid<Fragment>& fragments);
 std::vector<RenderedShot> undrawn(std::size_t shots, RenderedShot::Status status,
                                   const std::string& why);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

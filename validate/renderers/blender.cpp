@@ -9,7 +9,7 @@
 #include "validate/renderers/entry.h"
 #include "validate/renderers/external.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,7 +105,7 @@ class Blender final : public Renderer {
         .command = blender_command(find_program(programs_.path(kBlenderProgram)), "scene.py"),
         .environment = {},
         .engine = engine_,
-        .shaders = ShotShaders::kNodes,
+        .shaders = blender::ShotShaders::kNodes,
         .time_limit = programs_.time_limit};
     std::optional<Display> display;
     if (needs_display_) {
@@ -161,4 +161,4 @@ extern const RendererEntry kEeveeEntry{
                    "than the grid; half-float buffers from 4.2 on. The texture is fetched texel "
                    "by texel, since its own filter always takes mipmaps"}};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "system/error.h"
 #include "validate/renderers/external.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,7 +54,7 @@ Rendering draw_package(const BlenderRun& blender, const Package& package, const 
 
 Rendering draw_in_blender(const BlenderRun& blender, const Scene& scene,
                           std::span<const Shot> shots) {
-  const bool is_osl = blender.shaders == ShotShaders::kOsl;
+  const bool is_osl = blender.shaders == blender::ShotShaders::kOsl;
   const auto shortfall = [&](const Shot& shot) {
     return language_shortfall(is_osl ? Language::kOsl : Language::kBlender, shot.material);
   };
@@ -62,7 +62,7 @@ Rendering draw_in_blender(const BlenderRun& blender, const Scene& scene,
   std::erase_if(possible, shortfall);
   Rendering rendering;
   if (!possible.empty()) {
-    const Package package = blender_package(scene, possible, "scene", blender.shaders);
+    const Package package = blender::blender_package(scene, possible, "scene", blender.shaders);
     rendering = draw_package(blender, package, scene.view, possible);
   }
   std::vector<RenderedShot> all;
@@ -96,7 +96,8 @@ void save_blend(const Scene& scene, const Shot& shot, const fs::path& path,
                             not_found(programs, kBlenderProgram)));
   }
   const PrivateFolder folder;
-  write_package(folder.path(), blender_package(scene, {&shot, 1}, "scene"), "Blender's folder");
+  write_package(folder.path(), blender::blender_package(scene, {&shot, 1}, "scene"),
+                "Blender's folder");
   std::vector<std::string> command = blender_command(program, "scene.py");
   command.insert(command.end(), {"--save", "scene.blend"});
   const ProcessResult ended = run({command, folder.path(), {}}, programs.time_limit);
@@ -106,4 +107,4 @@ void save_blend(const Scene& scene, const Shot& shot, const fs::path& path,
   write_file(path, read_file(folder.path() / "scene.blend", "Blender's file"), flag);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -8,14 +8,14 @@
 #include "exporters/blender/scene.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// A Blender, and what it is to draw with.
 struct BlenderRun {
   std::vector<std::string> command;  ///< what runs scene.py, up to the script's own arguments
   std::vector<std::string> environment;
   std::string engine;  ///< "cycles" or "eevee"
-  ShotShaders shaders = ShotShaders::kNodes;
+  blender::ShotShaders shaders = blender::ShotShaders::kNodes;
   std::chrono::duration<double> time_limit;
 };
 
@@ -39,4 +39,4 @@ std::vector<std::string> blender_command(const std::filesystem::path& program,
 void save_blend(const Scene& scene, const Shot& shot, const std::filesystem::path& path,
                 const Programs& programs, std::string_view flag);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -8,7 +8,7 @@
 
 #include "validate/renderers/list.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 #define LUMAKNOT_RENDERER(name) extern const RendererEntry k##name##Entry;
 LUMAKNOT_RENDERERS(LUMAKNOT_RENDERER)
@@ -44,4 +44,4 @@ std::string not_found(const Programs& programs, const ProgramInfo& program) {
   return fmt::format("{} not found; {}", path.empty() ? program.name : path, program.remedy);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

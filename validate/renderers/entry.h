@@ -10,7 +10,7 @@
 #include "validate/renderers/adapter.h"
 #include "validate/renderers/limits.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// All that is particular to a renderer.
 struct RendererEntry {
@@ -33,4 +33,4 @@ const RendererEntry& renderer_entry(std::string_view name);
 /// The programs that renderers run, each once.
 std::vector<const ProgramInfo*> renderer_programs();
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

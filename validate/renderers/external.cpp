@@ -6,7 +6,7 @@
 
 #include "exporters/image/file.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 std::vector<RenderedShot> undrawn(std::size_t shots, RenderedShot::Status status,
                                   const std::string& why) {
@@ -68,4 +68,4 @@ std::string version_of(const std::filesystem::path& path, const std::string& arg
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "system/process.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// The image that `read` returns, believed only when it throws no std::runtime_error, is finite and
 /// shows something; else why not.
@@ -29,4 +29,4 @@ std::string bad_end(const ProcessResult& ended);
 std::string version_of(const std::filesystem::path& path, const std::string& argument,
                        std::string_view prefix);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

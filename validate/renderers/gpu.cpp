@@ -8,7 +8,7 @@
 #include "validate/renderers/external.h"
 #include "validate/renderers/gpu_job.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +176,4 @@ extern const RendererEntry kHlslEntry{.name = kHlsl.name,
                                       .programs = {&kGpuProgram, &kGlslangProgram},
                                       .limits = kLimits};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

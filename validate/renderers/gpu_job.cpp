@@ -16,7 +16,7 @@
 #include "validate/renderers/job_files.h"
 #include "validate/renderers/spirv.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ Image read_gpu_image(const fs::path& path, int width, int height) {
   return image;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "shaders/languages/backend.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// How frames are timed, on GL and GLES.
 struct GpuTiming {
@@ -31,4 +31,4 @@ void write_gpu_job(const std::filesystem::path& folder, const Scene& scene,
 /// std::runtime_error when it has not the size.
 Image read_gpu_image(const std::filesystem::path& path, int width, int height);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

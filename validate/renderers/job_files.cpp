@@ -5,7 +5,7 @@
 
 #include "system/atomic_file.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ Json write_job_texture(const fs::path& folder, const std::string& name,
   return {{"file", name + ".bin"}, {"width", texture.width}, {"height", texture.height}};
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "scene/image.h"
 #include "scene/triangle_mesh.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// The bytes of `values`.
 std::string float_bytes(std::span<const float> values);
@@ -23,4 +23,4 @@ nlohmann::ordered_json write_job_mesh(const std::filesystem::path& folder,
 nlohmann::ordered_json write_job_texture(const std::filesystem::path& folder,
                                          const std::string& name, const TextureImage& texture);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// An error is the largest difference of a pixel's three channels; inside means covered in both
 /// images and not at a silhouette.
@@ -19,4 +19,4 @@ struct Limits {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

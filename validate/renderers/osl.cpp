@@ -6,7 +6,7 @@
 #include "validate/renderers/entry.h"
 #include "validate/renderers/external.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,7 +78,7 @@ class Osl final : public Renderer {
     return {.command = {program, "scene.py", "--"},
             .environment = {},
             .engine = "cycles",
-            .shaders = ShotShaders::kOsl,
+            .shaders = blender::ShotShaders::kOsl,
             .time_limit = programs_.time_limit};
   }
 
@@ -105,4 +105,4 @@ extern const RendererEntry kOslEntry{
                .reason = "as in Cycles, float32; and the fast pow of OSL's library errs by 1.4e-5 "
                          "+ 1.8e-7 times the exponent of its value"}};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -1,7 +1,7 @@
 #include "system/version.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 class OwnRenderer final : public Renderer {
@@ -40,4 +40,4 @@ std::unique_ptr<Renderer> own_renderer(const Grid<Fragment>& fragments) {
   return std::make_unique<OwnRenderer>(fragments);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "validate/renderers/external.h"
 #include "validate/renderers/povray_plan.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,8 +37,8 @@ std::string frame_file(std::size_t index, std::size_t frames) {
 
 void write_scenes(const fs::path& folder, const Scene& scene, std::span<const Shot> shots,
                   const std::vector<std::string>& frames) {
-  Package package = pov_textures(scene.texture, shots, "");
-  package.push_back({"mesh.inc", pov_mesh(scene.mesh)});
+  Package package = povray::pov_textures(scene.texture, shots, "");
+  package.push_back({"mesh.inc", povray::pov_mesh(scene.mesh)});
   package.push_back({"empty.ini", "; in place of the user's\n"});
   for (std::size_t i = 0; i < frames.size(); ++i) package.push_back({scene_file(i), frames[i]});
   package.push_back({"animation.pov", animation(frames.size())});
@@ -201,4 +201,4 @@ extern const RendererEntry kPovrayEntry{
                    "float32 mesh; it turns normals to the viewer and draws no highlight where "
                    "n.l < 0, which has classes of its own"}};
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

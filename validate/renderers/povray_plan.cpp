@@ -8,7 +8,7 @@
 #include "exporters/povray/scene.h"
 #include "shaders/formulas/lighting.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 /// Terms are kept in 16 bits: divided by more, their steps would show.
@@ -41,9 +41,9 @@ class Planner {
 
   void add(const Shot& shot) {
     PovShot planned;
-    if (const auto missing = pov_missing_term(scene_.view, shot)) {
+    if (const auto missing = povray::pov_missing_term(scene_.view, shot)) {
       planned.why = *missing;
-    } else if (const auto shortfall = pov_shortfall(scene_.view, shot)) {
+    } else if (const auto shortfall = povray::pov_shortfall(scene_.view, shot)) {
       compose(shot, *shortfall, planned);
     } else {
       planned.frame = frame(scene_.view, shot);
@@ -55,7 +55,7 @@ class Planner {
 
  private:
   std::size_t frame(const View& view, const Shot& shot) {
-    const std::string text = pov_scene(view, scene_.texture, shot, prefix_, mesh_);
+    const std::string text = povray::pov_scene(view, scene_.texture, shot, prefix_, mesh_);
     const auto found = std::ranges::find(plan_.frames, text);
     const auto index = std::size_t(found - plan_.frames.begin());
     if (found == plan_.frames.end()) plan_.frames.push_back(text);
@@ -85,8 +85,8 @@ class Planner {
     PovParts parts;
     parts.texture = stage(Stage::kTexture);
     parts.brightness = brightness;
-    if (needs_diffuse(scene_.view, shot)) parts.diffuse = stage(Stage::kDiffuse);
-    if (needs_specular(scene_.view, shot)) parts.specular = stage(Stage::kSpecular);
+    if (povray::needs_diffuse(scene_.view, shot)) parts.diffuse = stage(Stage::kDiffuse);
+    if (povray::needs_specular(scene_.view, shot)) parts.specular = stage(Stage::kSpecular);
     return parts;
   }
 
@@ -118,4 +118,4 @@ PovPlan plan_povray(const Scene& scene, std::span<const Shot> shots, const std::
   return std::move(planner).plan();
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

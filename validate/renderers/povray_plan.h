@@ -9,7 +9,7 @@
 #include "scene/shot.h"
 #include "scene/spec.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// The pictures that a shot is composed from, by index into PovPlan::frames.
 struct PovParts {
@@ -38,4 +38,4 @@ PovPlan plan_povray(const Scene& scene, std::span<const Shot> shots, const std::
 /// An upper bound of L_D's and L_S's channels on the mesh in Lambert's, Phong's and Blinn's models.
 double brightest_light(const TriangleMesh& mesh, const View& view, Space space);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

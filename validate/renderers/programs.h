@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// A program that renderers run.
 struct ProgramInfo {
@@ -49,4 +49,4 @@ struct Programs {
 /// "povray not found; install with apt-get install povray".
 std::string not_found(const Programs& programs, const ProgramInfo& program);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -12,7 +12,7 @@
 #include "system/process.h"
 #include "validate/renderers/external.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ std::optional<int> fragment_instructions(const Programs& programs, const ShaderJ
   return instruction_count(compile_spirv(programs, files[is_hlsl ? 0 : 1].text, stage));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -8,7 +8,7 @@
 #include "shaders/languages/emit.h"
 #include "validate/renderers/adapter.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// A stage of a shader's text.
 struct SpirvStage {
@@ -29,4 +29,4 @@ int instruction_count(std::string_view spirv);
 std::optional<int> fragment_instructions(const Programs& programs, const ShaderJob& job,
                                          Language language);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

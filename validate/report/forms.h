@@ -5,7 +5,7 @@
 
 #include "validate/run.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 /// What the report says about the job besides its result.
 struct ReportHead {
@@ -29,4 +29,4 @@ std::string_view coverage_outcome(const RendererResult& result);
 /// "agreed", "differed" or "nothing to compare".
 std::string_view verdict_name(Verdict verdict);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

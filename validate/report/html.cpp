@@ -7,10 +7,11 @@
 #include "validate/report/forms.h"
 #include "validate/report/page_kit.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view report_template();
-}
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::validate {
 namespace {
 
 using Data = PageData;
@@ -204,4 +205,4 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   return render_page(embedded::report_template(), std::move(page));
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

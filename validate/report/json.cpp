@@ -4,7 +4,7 @@
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -144,4 +144,4 @@ std::string report_json(const Validation& validation, const ReportHead& head) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -4,12 +4,13 @@
 
 #include "exporters/image/file.h"
 
-namespace lumaknot {
-namespace embedded {
+namespace lumaknot::embedded {
 std::string_view page_head();
 std::string_view page_style();
 std::string_view page_figure();
-}  // namespace embedded
+}  // namespace lumaknot::embedded
+
+namespace lumaknot::validate {
 
 std::string picture_url(std::string_view bytes, std::string_view type) {
   return fmt::format("data:image/{};base64,{}", type, base64(bytes));
@@ -25,4 +26,4 @@ std::string render_page(std::string_view layout, PageData page) {
   return kainjow::mustache::mustache(std::string(layout)).render(page);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

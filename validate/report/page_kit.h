@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 
 using PageData = kainjow::mustache::data;
 
@@ -24,4 +24,4 @@ std::string picture_url(std::string_view bytes, std::string_view type = "png");
 /// is a picture with `url` and `alt`, and `class` and `caption` if they are set.
 std::string render_page(std::string_view layout, PageData page);
 
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -13,7 +13,7 @@
 #define LUMAKNOT_FLAT __attribute__((flatten))
 #endif
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// The scene's numbers as packets.
 template <class A>
@@ -208,4 +208,4 @@ class ShadingBatch {
   std::size_t count_ = 0;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

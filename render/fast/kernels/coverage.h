@@ -6,7 +6,7 @@
 #include "render/fast/kernels/nearest.h"
 #include "render/fast/kernels/set_up.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Up to this size, edge functions have 32 bits within a block; beyond it, rows are cut at the
 /// edges.
@@ -238,4 +238,4 @@ void draw_triangle(SetUp<A>& s, std::size_t k, std::uint32_t triangle, bool cull
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -6,7 +6,7 @@
 #include "render/fast/kernels/tile.h"
 #include "render/fast/kernels/vertices.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 template <class A>
 class PacketKernel final : public Kernel {
@@ -32,4 +32,4 @@ class PacketKernel final : public Kernel {
   Lighting<Floats<A>> lighting_;
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

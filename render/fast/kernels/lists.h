@@ -3,7 +3,7 @@
 
 #include "render/fast/kernels/packet.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 inline constexpr int kTileBits = 6;
 static_assert(kTile == 1 << kTileBits);
@@ -103,4 +103,4 @@ void find_candidates(const FrameData& data, Run& run, std::uint32_t first, std::
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -3,7 +3,7 @@
 
 #include "render/fast/kernels/packet.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// A packet of samples in memory, two integers each: the bits of 1 / depth, 0 where there is
 /// nothing, and the triangle. Inverse depths are not negative, so their bits compare as they do.
@@ -86,4 +86,4 @@ struct Nearest<xsimd::avx512bw> {
 };
 #endif
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -7,7 +7,7 @@
 #include "render/fast/frame_data.h"
 #include "render/fast/kernels/rows.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// 0, 1, 2, ...
 template <class A>
@@ -160,4 +160,4 @@ std::array<Floats<A>, 8> load_records(const FrameData& data, const Ints<A>& vert
   return record;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -6,7 +6,7 @@
 
 #include "render/fast/simd_number.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 template <class A>
 using Ints = xsimd::batch<std::int32_t, A>;
@@ -66,4 +66,4 @@ std::array<Ints<A>, n> load_rows(const void* words, const Ints<A>& begin) {
   return Rows<A, n>::load(static_cast<const std::int32_t*>(words), begin);
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -5,7 +5,7 @@
 
 #include "render/fast/kernels/packet.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Triangles of at most this many pixels per side have edge functions of 32 bits.
 constexpr int kSmall = 28;
@@ -126,4 +126,4 @@ std::int64_t set_up_large(SetUp<A>& s, std::size_t k) {
   return before;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -3,7 +3,7 @@
 
 #include "render/fast/kernels/packet.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Points to be shaded, one per lane.
 template <class A>
@@ -207,4 +207,4 @@ Vec3<Floats<A>> texture_at(const FrameData& data, const TexturePlace<A>& place) 
   return near + (bilinear<A>(texture, u, v, load_levels<A>(texture, next)) - near) * share;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

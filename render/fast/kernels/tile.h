@@ -4,7 +4,7 @@
 #include "render/fast/kernels/batch.h"
 #include "render/fast/kernels/tiny.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Draws one tile.
 template <class A>
@@ -222,4 +222,4 @@ class TilePainter {
   float places_[16][2];  ///< of the samples, from a pixel's corner
 };
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

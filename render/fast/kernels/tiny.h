@@ -4,7 +4,7 @@
 
 #include "render/fast/kernels/coverage.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// At most this many pixels per side.
 inline constexpr int kTiny = 12;
@@ -195,4 +195,4 @@ static void draw_tiny(const Oriented<Lanes>& o, const Ints<Lanes>& numbers, bool
 }
 #endif
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -6,7 +6,7 @@
 
 #include "render/fast/kernels/packet.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 
 /// Doubles per packet.
 template <class A>
@@ -89,4 +89,4 @@ void light_vertices(FrameData& data, const Lighting<Floats<A>>& lighting, std::s
   }
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -15,7 +15,7 @@
 #include "shaders/formulas/lighting.h"
 #include "tests/exporters/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::blender {
 namespace {
 
 using nlohmann::json;
@@ -278,4 +278,4 @@ TEST(BlenderPackage, gives_the_same_bytes_twice) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::blender

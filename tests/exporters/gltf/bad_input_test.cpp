@@ -7,7 +7,7 @@
 #include "exporters/gltf/read.h"
 #include "tests/exporters/gltf/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using ::testing::AllOf;
@@ -322,4 +322,4 @@ TEST(BadGltf, swapped_words_of_the_json_give_a_mesh_or_an_error) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

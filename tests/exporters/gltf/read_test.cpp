@@ -8,7 +8,7 @@
 #include "exporters/gltf/scene.h"
 #include "tests/exporters/gltf/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using testing::corner_positions;
@@ -256,4 +256,4 @@ TEST(ReadGltf, extras_and_images_are_ignored_however_deep_or_wrong) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

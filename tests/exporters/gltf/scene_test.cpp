@@ -8,7 +8,7 @@
 #include "exporters/image/file.h"
 #include "tests/exporters/gltf/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using std::numbers::pi;
@@ -207,4 +207,4 @@ TEST(GltfPackage, a_plain_colour_needs_no_image) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -103,7 +103,7 @@ inline std::size_t add_accessor(GltfParts& parts, const std::string& bytes, int 
 inline Polygons read_bytes(const TemporaryFolder& folder, std::string_view bytes) {
   std::filesystem::remove(folder / "test.glb");  // overwriting a file waits for the disk
   std::ofstream(folder / "test.glb", std::ios::binary) << bytes;
-  return read_gltf(folder / "test.glb", "mesh.file test.glb");
+  return gltf::read_gltf(folder / "test.glb", "mesh.file test.glb");
 }
 
 inline Polygons read_bytes(std::string_view bytes) { return read_bytes(TemporaryFolder(), bytes); }

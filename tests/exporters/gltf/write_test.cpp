@@ -7,7 +7,7 @@
 #include "exporters/gltf/scene.h"
 #include "tests/exporters/gltf/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::gltf {
 namespace {
 
 using testing::GltfParts;
@@ -161,4 +161,4 @@ TEST(WriteGltf, the_buffer_file_is_the_binary_chunk_of_the_glb_file) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::gltf

@@ -44,7 +44,7 @@ void append_float(std::string& bytes, float value) {
 }
 
 TEST(ObjFile, tetrahedron_has_its_lines) {
-  EXPECT_EQ(written(write_obj, tetrahedron()),
+  EXPECT_EQ(written(obj::write, tetrahedron()),
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0.1\n"
             "vt 0 0\nvt 1 0\nvt 0 1\nvt 0.25 1e-07\n"
             "vn -1 0 0\nvn 1 0 0\nvn 0 1 0\nvn 0 0 1\n"
@@ -54,13 +54,13 @@ TEST(ObjFile, tetrahedron_has_its_lines) {
 TEST(ObjFile, vertices_of_a_seam_share_their_position_and_nothing_else) {
   TriangleMesh mesh = tetrahedron();
   mesh.positions[1] = mesh.positions[0];
-  const std::string text = written(write_obj, mesh);
+  const std::string text = written(obj::write, mesh);
   EXPECT_THAT(text, StartsWith("v 0 0 0\nv 0 1 0\nv 0 0 0.1\nvt 0 0\nvt 1 0\n"));
   EXPECT_THAT(text, HasSubstr("\nf 1/1/1 2/3/3 1/2/2\nf 1/1/1 1/2/2 3/4/4\n"));
 }
 
 TEST(OffFile, tetrahedron_has_its_lines) {
-  EXPECT_EQ(written(write_off, tetrahedron()),
+  EXPECT_EQ(written(off::write, tetrahedron()),
             "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
@@ -71,7 +71,7 @@ const std::string kPlyProperties =
     "property list uchar uint vertex_indices\nend_header\n";
 
 TEST(PlyFile, tetrahedron_as_text_has_its_lines) {
-  EXPECT_EQ(written(write_ply, tetrahedron(), {.ascii = true}),
+  EXPECT_EQ(written(ply::write, tetrahedron(), {.ascii = true}),
             "ply\nformat ascii 1.0\n" + kPlyProperties +
                 "0 0 0 -1 0 0 0 0\n1 0 0 1 0 0 1 0\n0 1 0 0 1 0 0 1\n0 0 0.1 0 0 1 0.25 1e-07\n"
                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
@@ -90,12 +90,12 @@ TEST(PlyFile, tetrahedron_has_its_bytes) {
     expected += '\3';
     for (const std::uint32_t index : t) expected += {char(index), 0, 0, 0};
   }
-  EXPECT_EQ(written(write_ply, mesh), expected);
+  EXPECT_EQ(written(ply::write, mesh), expected);
 }
 
 TEST(StlFile, tetrahedron_has_its_bytes) {
   const TriangleMesh mesh = tetrahedron();
-  const std::string bytes = written(write_stl, mesh);
+  const std::string bytes = written(stl::write, mesh);
   ASSERT_EQ(bytes.size(), 84u + 4 * 50);
   EXPECT_EQ(bytes.substr(0, 84), "lumaknot" + std::string(72, '\0') + std::string("\4\0\0\0", 4));
   for (std::size_t t = 0; t < 4; ++t) {
@@ -112,7 +112,7 @@ TEST(StlFile, tetrahedron_has_its_bytes) {
 }
 
 TEST(StlFile, tetrahedron_as_text_has_its_lines) {
-  const std::string text = written(write_stl, tetrahedron(), {.ascii = true});
+  const std::string text = written(stl::write, tetrahedron(), {.ascii = true});
   EXPECT_THAT(text, StartsWith("solid lumaknot\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\n"
                                "vertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"));
   EXPECT_EQ(testing::lines_with(text, "facet normal "), 4);
@@ -121,7 +121,7 @@ TEST(StlFile, tetrahedron_as_text_has_its_lines) {
 
 TEST(StlFile, facet_normals_are_those_of_the_written_corners) {
   const TriangleMesh mesh = knot_mesh(testing::small_knot());
-  const std::string bytes = written(write_stl, mesh);
+  const std::string bytes = written(stl::write, mesh);
   for (std::size_t at = 84; at < bytes.size(); at += 50) {
     std::array<Vec3d, 4> rows;  // the normal, then the corners
     for (std::size_t row = 0; row < 4; ++row) {
@@ -138,23 +138,23 @@ TEST(StlFile, facet_normals_are_those_of_the_written_corners) {
 TEST(StlFile, facet_without_area_has_the_zero_normal) {
   TriangleMesh mesh = tetrahedron();
   mesh.triangles = {{0, 1, 1}};
-  EXPECT_THAT(written(write_stl, mesh, {.ascii = true}), HasSubstr("facet normal 0 0 0\n"));
+  EXPECT_THAT(written(stl::write, mesh, {.ascii = true}), HasSubstr("facet normal 0 0 0\n"));
 }
 
 TEST(PovInclude, tetrahedron_has_its_lines_and_the_scenes_data) {
-  const std::string text = written(write_pov_include, tetrahedron());
+  const std::string text = written(povray::write_pov_include, tetrahedron());
   const std::string data =
       "  vertex_vectors { 4\n<0,0,0>\n<1,0,0>\n<0,1,0>\n<0,0,0.1>\n  }\n"
       "  normal_vectors { 4\n<-1,0,0>\n<1,0,0>\n<0,1,0>\n<0,0,1>\n  }\n"
       "  uv_vectors { 4\n<0,0>\n<1,0>\n<0,1>\n<0.25,1e-07>\n  }\n"
       "  face_indices { 4\n<0,2,1>\n<0,1,3>\n<0,3,2>\n<1,2,3>\n  }\n";
-  EXPECT_EQ(pov_mesh(tetrahedron()), data);
+  EXPECT_EQ(povray::pov_mesh(tetrahedron()), data);
   EXPECT_THAT(text, HasSubstr("\n#declare lumaknot_mesh = mesh2 {\n" + data + "}\n"));
 }
 
 TEST(OmFile, positions_and_normals_are_doubles_and_texture_coordinates_float32) {
   const TriangleMesh mesh = tetrahedron();
-  const std::string bytes = written(write_om, mesh);
+  const std::string bytes = written(om::write, mesh);
   EXPECT_THAT(bytes, StartsWith("OMT"));
   std::string uvs;
   for (const Vec2d& uv : mesh.uvs) {
@@ -171,10 +171,10 @@ TEST(OmFile, positions_and_normals_are_doubles_and_texture_coordinates_float32) 
 
 TEST(MeshFormats, mesh_without_triangles_is_a_file_without_triangles) {
   const TriangleMesh none;
-  EXPECT_EQ(written(write_obj, none), "");
-  EXPECT_EQ(written(write_off, none), "OFF\n0 0 0\n");
-  EXPECT_EQ(written(write_stl, none).size(), 84u);
-  EXPECT_THAT(written(write_ply, none), HasSubstr("element vertex 0\n"));
+  EXPECT_EQ(written(obj::write, none), "");
+  EXPECT_EQ(written(off::write, none), "OFF\n0 0 0\n");
+  EXPECT_EQ(written(stl::write, none).size(), 84u);
+  EXPECT_THAT(written(ply::write, none), HasSubstr("element vertex 0\n"));
 }
 
 /// Two adjacent quads, 0 1 2 3 and 1 4 5 2, their halves rotated differently.
@@ -190,14 +190,14 @@ TriangleMesh two_quads() {
 
 TEST(MeshFormats, quads_are_written_when_requested) {
   const MeshFileOptions quads{.quads = true};
-  EXPECT_THAT(written(write_off, two_quads(), quads), HasSubstr("6 2 0\n"));
-  EXPECT_TRUE(written(write_off, two_quads(), quads).ends_with("4 0 1 2 3\n4 5 2 1 4\n"));
-  EXPECT_TRUE(written(write_obj, two_quads(), quads)
+  EXPECT_THAT(written(off::write, two_quads(), quads), HasSubstr("6 2 0\n"));
+  EXPECT_TRUE(written(off::write, two_quads(), quads).ends_with("4 0 1 2 3\n4 5 2 1 4\n"));
+  EXPECT_TRUE(written(obj::write, two_quads(), quads)
                   .ends_with("f 1/1/1 2/2/2 3/3/3 4/4/4\nf 6/6/6 3/3/3 2/2/2 5/5/5\n"));
-  const std::string text = written(write_ply, two_quads(), {.ascii = true, .quads = true});
+  const std::string text = written(ply::write, two_quads(), {.ascii = true, .quads = true});
   EXPECT_THAT(text, HasSubstr("element face 2\n"));
   EXPECT_TRUE(text.ends_with("4 0 1 2 3\n4 5 2 1 4\n"));
-  const std::string bytes = written(write_ply, two_quads(), quads);
+  const std::string bytes = written(ply::write, two_quads(), quads);
   EXPECT_EQ(bytes.substr(bytes.size() - 17), std::string("\4\5\0\0\0\2\0\0\0\1\0\0\0\4\0\0\0", 17));
 }
 

@@ -124,7 +124,8 @@ TEST(WriteItems, items_come_in_order_and_none_is_lost) {
 }
 
 using Writer = void (*)(std::ostream&, const TriangleMesh&, const MeshFileOptions&);
-constexpr Writer kWriters[] = {write_obj, write_ply, write_stl, write_off, write_pov_include};
+constexpr Writer kWriters[] = {obj::write, ply::write, stl::write, off::write,
+                               povray::write_pov_include};
 
 /// Large enough for several chunks per thread.
 TriangleMesh large_mesh() {

@@ -193,7 +193,7 @@ inline std::string knot_om() {
 }
 
 inline std::string knot_pov() {
-  return "mesh2 {\n" + pov_mesh(knot_mesh(tiny_spec())) + "  no_shadow\n}\n";
+  return "mesh2 {\n" + povray::pov_mesh(knot_mesh(tiny_spec())) + "  no_shadow\n}\n";
 }
 
 struct MeshSample {
@@ -205,17 +205,17 @@ struct MeshSample {
 /// A valid file of each format and encoding.
 inline std::vector<MeshSample> mesh_samples() {
   return {
-      {"quad_obj", ".obj", read_obj, kQuadObj},
-      {"cube_obj", ".obj", read_obj, kCubeObj},
-      {"ply_text", ".ply", read_ply, kTetrahedronPly},
-      {"ply_little", ".ply", read_ply, tetrahedron_ply(false)},
-      {"ply_big", ".ply", read_ply, tetrahedron_ply(true)},
-      {"stl_text", ".stl", read_stl, tetrahedron_stl_text()},
-      {"stl", ".stl", read_stl, tetrahedron_stl()},
-      {"off", ".off", read_off, kTetrahedronOff},
-      {"om", ".om", read_om, knot_om()},
-      {"pov", ".pov", read_pov, kTetrahedronPov},
-      {"knot_pov", ".pov", read_pov, knot_pov()},
+      {"quad_obj", ".obj", obj::read, kQuadObj},
+      {"cube_obj", ".obj", obj::read, kCubeObj},
+      {"ply_text", ".ply", ply::read, kTetrahedronPly},
+      {"ply_little", ".ply", ply::read, tetrahedron_ply(false)},
+      {"ply_big", ".ply", ply::read, tetrahedron_ply(true)},
+      {"stl_text", ".stl", stl::read, tetrahedron_stl_text()},
+      {"stl", ".stl", stl::read, tetrahedron_stl()},
+      {"off", ".off", off::read, kTetrahedronOff},
+      {"om", ".om", om::read, knot_om()},
+      {"pov", ".pov", povray::read_pov, kTetrahedronPov},
+      {"knot_pov", ".pov", povray::read_pov, knot_pov()},
   };
 }
 

@@ -5,7 +5,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 namespace {
 
 using ::testing::HasSubstr;
@@ -18,34 +18,33 @@ TEST(ReadObj, a_knot_written_by_openmesh_comes_back) {
   using OpenMesh::IO::Options;
   const ClosedMesh knot = testing::tiny_knot();
   const TriangleMesh mesh =
-      read_bytes(read_obj, testing::written_by_openmesh(knot, ".obj", Options::VertexNormal));
+      read_bytes(read, testing::written_by_openmesh(knot, ".obj", Options::VertexNormal));
   testing::expect_same_as_knot(mesh, knot, true);
 }
 
 TEST(ReadObj, indices_may_count_back_from_the_last) {
   const TriangleMesh mesh =
-      read_bytes(read_obj, "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n");
+      read_bytes(read, "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n");
   ASSERT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.positions, (Bulk<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 TEST(ReadObj, lines_may_end_as_on_windows_continue_and_have_comments) {
   const TriangleMesh mesh = read_bytes(
-      read_obj,
-      "# made by hand\r\nv 0 0 0 # first\r\n\r\nv 1 0 \\\r\n 0\r\nv 0 1 0\r\nf 1 2\\\n 3");
+      read, "# made by hand\r\nv 0 0 0 # first\r\n\r\nv 1 0 \\\r\n 0\r\nv 0 1 0\r\nf 1 2\\\n 3");
   EXPECT_EQ(testing::area(mesh), 0.5);
 }
 
 TEST(ReadObj, groups_materials_points_lines_weights_and_colours_are_skipped) {
   const TriangleMesh mesh =
-      read_bytes(read_obj,
+      read_bytes(read,
                  "mtllib a.mtl\no a\ng b c\ns off\nusemtl d\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\n"
                  "v 0 1 0\np 1\nl 1 2 3\nvp 0.3\nf 1 2 3\n");
   EXPECT_EQ(testing::area(mesh), 0.5);
 }
 
 TEST(ReadObj, vertices_may_follow_the_faces) {
-  EXPECT_EQ(testing::area(read_bytes(read_obj, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n")), 0.5);
+  EXPECT_EQ(testing::area(read_bytes(read, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n")), 0.5);
 }
 
 TEST(ReadObj, float32_in_its_shortest_digits_comes_back_as_the_same_float32) {
@@ -54,13 +53,13 @@ TEST(ReadObj, float32_in_its_shortest_digits_comes_back_as_the_same_float32) {
     const float value = std::bit_cast<float>(std::uint32_t(random()));
     if (!std::isfinite(value)) continue;
     const std::string text = fmt::format("v {} 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\n", value);
-    const Polygons polygons = read_obj(text, "mesh.file knot");
+    const Polygons polygons = read(text, "mesh.file knot");
     EXPECT_EQ(float(polygons.positions[0].x), value) << text;
   }
 }
 
 TEST(ReadObj, a_number_below_what_double_holds_is_zero) {
-  EXPECT_EQ(read_obj("v 1e-400 0 0\nv +1 0 0\nv 0 1 0\nf 1 2 3\n", "knot").positions[0], Vec3d{});
+  EXPECT_EQ(read("v 1e-400 0 0\nv +1 0 0\nv 0 1 0\nf 1 2 3\n", "knot").positions[0], Vec3d{});
 }
 
 struct Refused {
@@ -92,7 +91,7 @@ TEST(ReadObj, errors_give_their_line) {
       {"\x89PNG\r\n\x1a\n" + std::string(20, '\0'), "line 3", "not text"},
   };
   for (const Refused& c : cases) {
-    const std::string error = refusal(read_obj, c.text);
+    const std::string error = refusal(read, c.text);
     EXPECT_THAT(error, HasSubstr("mesh.file knot, " + c.place + ": ")) << c.text;
     EXPECT_THAT(error, HasSubstr(c.what)) << c.text;
     EXPECT_THAT(error, ::testing::Not(HasSubstr("\n")));
@@ -100,10 +99,10 @@ TEST(ReadObj, errors_give_their_line) {
 }
 
 TEST(ReadObj, a_long_word_is_quoted_short_and_printable) {
-  const std::string error = refusal(read_obj, "v 0 0 " + std::string(1000, '\x01') + "\n");
+  const std::string error = refusal(read, "v 0 0 " + std::string(1000, '\x01') + "\n");
   EXPECT_LT(error.size(), 200u);
   EXPECT_THAT(error, HasSubstr("??????..."));
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

@@ -6,7 +6,7 @@
 #include "exporters/image/file.h"
 #include "tests/exporters/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::obj {
 namespace {
 
 using testing::bytes_at;
@@ -66,4 +66,4 @@ TEST(WriteObjScene, files_name_each_other_without_characters_that_end_a_name) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::obj

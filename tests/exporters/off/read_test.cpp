@@ -2,7 +2,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::off {
 namespace {
 
 using ::testing::HasSubstr;
@@ -14,20 +14,20 @@ TEST(ReadOff, a_knot_written_by_openmesh_comes_back) {
   const ClosedMesh knot = testing::tiny_knot();
   const std::string text = testing::written_by_openmesh(knot, ".off", Options::VertexNormal);
   ASSERT_TRUE(text.starts_with("NOFF"));
-  testing::expect_same_as_knot(read_bytes(read_off, text), knot, true);
+  testing::expect_same_as_knot(read_bytes(read, text), knot, true);
 }
 
 TEST(ReadOff, counts_may_follow_the_header_directly_and_edges_be_missing) {
   const std::string text = testing::kTetrahedronOff;
-  const TriangleMesh mesh = read_bytes(read_off, text);
+  const TriangleMesh mesh = read_bytes(read, text);
   EXPECT_NEAR(testing::volume(mesh), 1.0 / 6, 1e-15);
-  EXPECT_EQ(read_bytes(read_off, "OFF 4 4" + text.substr(9)).positions, mesh.positions);
-  EXPECT_EQ(read_bytes(read_off, "# by hand\nOFF # here\n\n#\n4 4" + text.substr(9)).positions,
+  EXPECT_EQ(read_bytes(read, "OFF 4 4" + text.substr(9)).positions, mesh.positions);
+  EXPECT_EQ(read_bytes(read, "# by hand\nOFF # here\n\n#\n4 4" + text.substr(9)).positions,
             mesh.positions);
 }
 
 TEST(ReadOff, normals_texture_coordinates_and_colours_are_in_openmeshs_order) {
-  const TriangleMesh mesh = read_bytes(read_off,
+  const TriangleMesh mesh = read_bytes(read,
                                        "STCNOFF\n3 1 0\n0 0 0 0 2 0 255 0 0 0.5 0.25\n"
                                        "1 0 0 0 1 0 0.1 0.2 0.3 1 1 0\n0 1 0 0 1 0 0 1\n"
                                        "3 0 1 2 255 0 0\n",
@@ -43,7 +43,7 @@ TEST(ReadOff, texture_coordinates_written_by_openmesh_come_back) {
   for (const auto v : knot.vertices()) knot.set_texcoord2D(v, {v.idx() / 64.0, -v.idx() / 32.0});
   const std::string text = testing::written_by_openmesh(
       knot, ".off", Options(Options::VertexNormal | Options::VertexTexCoord));
-  const Polygons polygons = read_off(text, "knot");
+  const Polygons polygons = read(text, "knot");
   ASSERT_EQ(polygons.uvs.size(), knot.n_vertices());
   for (std::size_t i = 0; i < polygons.uvs.size(); ++i) {
     EXPECT_EQ(polygons.uvs[i], (Vec2d{double(i) / 64, -double(i) / 32}));
@@ -81,11 +81,11 @@ TEST(ReadOff, errors_give_their_line) {
        "no texture coordinate"},
   };
   for (const Refused& c : cases) {
-    const std::string error = refusal(read_off, c.text);
+    const std::string error = refusal(read, c.text);
     EXPECT_THAT(error, HasSubstr("mesh.file knot, " + c.place + ": ")) << c.text;
     EXPECT_THAT(error, HasSubstr(c.what)) << c.text;
   }
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::off

@@ -2,7 +2,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::om {
 namespace {
 
 using OpenMesh::IO::Options;
@@ -14,12 +14,12 @@ using testing::refusal;
 TEST(ReadOm, a_knot_comes_back_with_its_normals) {
   const std::string bytes = testing::written_by_openmesh(
       testing::tiny_knot(), ".om", Options(Options::Binary | Options::VertexNormal));
-  testing::expect_same_as_knot(read_bytes(read_om, bytes), testing::tiny_knot(), true);
+  testing::expect_same_as_knot(read_bytes(read, bytes), testing::tiny_knot(), true);
 }
 
 TEST(ReadOm, texture_coordinates_of_corners_come_back) {
   const ClosedMesh knot = testing::tiny_knot();
-  const TriangleMesh mesh = read_bytes(read_om, testing::knot_om(), true);
+  const TriangleMesh mesh = read_bytes(read, testing::knot_om(), true);
   const TriangleMesh flat = knot_mesh(testing::tiny_spec());
   ASSERT_EQ(mesh.triangles.size(), flat.triangles.size());
   EXPECT_EQ(mesh.positions.size(), flat.positions.size());  // the seam is there
@@ -38,7 +38,7 @@ TEST(ReadOm, texture_coordinates_of_vertices_come_back) {
   ClosedMesh knot = testing::tiny_knot();
   knot.request_vertex_texcoords2D();
   for (const auto v : knot.vertices()) knot.set_texcoord2D(v, {v.idx() / 64.0, 1});
-  const Polygons polygons = read_om(
+  const Polygons polygons = read(
       testing::written_by_openmesh(knot, ".om", Options(Options::Binary | Options::VertexTexCoord)),
       "knot");
   ASSERT_EQ(polygons.uvs.size(), knot.n_vertices());
@@ -57,7 +57,7 @@ TEST(ReadOm, status_and_custom_properties_are_skipped) {
   const std::string bytes = testing::written_by_openmesh(
       knot, ".om", Options(Options::Binary | Options::Status | Options::Custom));
   ASSERT_GT(bytes.size(), plain.size() + 4 * 2 * knot.n_vertices());  // both are present
-  EXPECT_EQ(read_bytes(read_om, bytes).positions, read_bytes(read_om, plain).positions);
+  EXPECT_EQ(read_bytes(read, bytes).positions, read_bytes(read, plain).positions);
 }
 
 /// The knot's bytes with `now` replacing those at `at`.
@@ -89,11 +89,11 @@ TEST(ReadOm, errors_give_their_place) {
   };
   ASSERT_EQ(knot.n_edges(), 45u);
   for (const auto& [text, what] : cases) {
-    const std::string error = refusal(read_om, text);
+    const std::string error = refusal(read, text);
     EXPECT_THAT(error, HasSubstr("mesh.file knot, ")) << what;
     EXPECT_THAT(error, HasSubstr(what));
   }
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::om

@@ -2,7 +2,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::ply {
 namespace {
 
 using ::testing::HasSubstr;
@@ -26,14 +26,14 @@ TEST_P(PlyOfOpenMesh, a_knot_comes_back) {
   const ClosedMesh knot = testing::tiny_knot();
   const Options options(Options::value_type(GetParam() | Options::VertexNormal));
   const std::string bytes = testing::written_by_openmesh(knot, ".ply", options);
-  testing::expect_same_as_knot(read_bytes(read_ply, bytes), knot, true);
+  testing::expect_same_as_knot(read_bytes(read, bytes), knot, true);
 }
 
 TEST(ReadPly, text_and_both_byte_orders_give_the_same_mesh) {
-  const TriangleMesh text = read_bytes(read_ply, testing::kTetrahedronPly);
+  const TriangleMesh text = read_bytes(read, testing::kTetrahedronPly);
   EXPECT_NEAR(testing::volume(text), 1.0 / 6, 1e-15);  // half base times height / 3
   for (const bool big_endian : {false, true}) {
-    const TriangleMesh mesh = read_bytes(read_ply, testing::tetrahedron_ply(big_endian));
+    const TriangleMesh mesh = read_bytes(read, testing::tetrahedron_ply(big_endian));
     EXPECT_EQ(mesh.positions, text.positions);
     EXPECT_EQ(mesh.triangles, text.triangles);
   }
@@ -48,13 +48,13 @@ TEST(ReadPly, texture_coordinates_are_known_by_their_usual_names) {
         "property list uchar int vertex_indices\nend_header\n"
         "0 0 0 0.5 0.25\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
         u, v);
-    EXPECT_EQ(read_bytes(read_ply, text, true).uvs[0], (Vec2d{0.5, 0.25})) << u;
+    EXPECT_EQ(read_bytes(read, text, true).uvs[0], (Vec2d{0.5, 0.25})) << u;
   }
 }
 
 TEST(ReadPly, texture_coordinates_of_faces_are_those_of_their_corners) {
   const TriangleMesh mesh =
-      read_bytes(read_ply,
+      read_bytes(read,
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                  "property list uchar float texcoord\nend_header\n"
@@ -65,7 +65,7 @@ TEST(ReadPly, texture_coordinates_of_faces_are_those_of_their_corners) {
 
 TEST(ReadPly, normals_are_read) {
   const TriangleMesh mesh =
-      read_bytes(read_ply,
+      read_bytes(read,
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -77,7 +77,7 @@ TEST(ReadPly, normals_are_read) {
 
 TEST(ReadPly, other_elements_and_properties_are_skipped) {
   const TriangleMesh mesh = read_bytes(
-      read_ply,
+      read,
       "ply\r\nformat ascii 1.0\r\nobj_info a\r\nelement material 2\r\nproperty list uchar int a\r\n"
       "element nothing 5\r\nelement face 1\r\nproperty uchar red\r\n"
       "property list uchar uint vertex_index\r\nelement vertex 3\r\nproperty float confidence\r\n"
@@ -120,7 +120,7 @@ TEST(ReadPly, errors_in_text_give_their_line) {
       {replaced(text, "3 0 1 3\n", "nan 0 1 3\n"), "line 16", "a list of nan"},
   };
   for (const Refused& c : cases) {
-    const std::string error = refusal(read_ply, c.text);
+    const std::string error = refusal(read, c.text);
     EXPECT_THAT(error, HasSubstr("mesh.file knot, " + c.place)) << c.text;
     EXPECT_THAT(error, HasSubstr(c.what)) << c.text;
   }
@@ -133,18 +133,17 @@ TEST(ReadPly, errors_in_binary_give_their_byte) {
   const std::size_t faces = data + 4 * 15;
   std::string far = bytes;
   far.replace(faces + 19 + 7, 4, raw(std::int32_t(90000000)));
-  EXPECT_THAT(refusal(read_ply, far),
-              HasSubstr(fmt::format("byte {}: vertex 90000000", faces + 19)));
+  EXPECT_THAT(refusal(read, far), HasSubstr(fmt::format("byte {}: vertex 90000000", faces + 19)));
   std::string nan = bytes;
   nan.replace(data + 15, 8, raw(std::nan("")));
-  EXPECT_THAT(refusal(read_ply, nan), HasSubstr(fmt::format("byte {}: nan", data + 15 + 8)));
-  EXPECT_THAT(refusal(read_ply, bytes.substr(0, bytes.size() - 1)),
+  EXPECT_THAT(refusal(read, nan), HasSubstr(fmt::format("byte {}: nan", data + 15 + 8)));
+  EXPECT_THAT(refusal(read, bytes.substr(0, bytes.size() - 1)),
               HasSubstr(fmt::format("byte {}: ", bytes.size() - 12)));
-  EXPECT_THAT(refusal(read_ply, bytes + "more"),
+  EXPECT_THAT(refusal(read, bytes + "more"),
               HasSubstr(fmt::format("byte {}: more bytes", bytes.size())));
-  EXPECT_THAT(refusal(read_ply, replaced(bytes, "vertex 4", "vertex 4000000000")),
+  EXPECT_THAT(refusal(read, replaced(bytes, "vertex 4", "vertex 4000000000")),
               HasSubstr("counts 4000000000 of vertex"));
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::ply

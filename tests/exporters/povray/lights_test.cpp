@@ -6,7 +6,7 @@
 #include "scene/presets.h"
 #include "tests/exporters/povray/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 using testing::color_of;
@@ -133,4 +133,4 @@ TEST(PovLights, texture_stage_needs_none) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

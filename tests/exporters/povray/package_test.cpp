@@ -5,7 +5,7 @@
 #include "exporters/povray/scene.h"
 #include "tests/exporters/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 using ::testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(PovPackage, refuses_what_would_be_another_formula) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

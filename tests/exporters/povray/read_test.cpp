@@ -2,7 +2,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 using ::testing::HasSubstr;
@@ -99,4 +99,4 @@ TEST(ReadPov, errors_give_their_line) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

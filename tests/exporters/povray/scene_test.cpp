@@ -9,7 +9,7 @@
 #include "shaders/formulas/lighting.h"
 #include "tests/exporters/povray/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 using testing::color_of;
@@ -288,4 +288,4 @@ TEST(PovMesh, numbers_read_back_as_the_mesh_in_float32) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

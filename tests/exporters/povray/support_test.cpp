@@ -4,7 +4,7 @@
 #include "exporters/povray/scene.h"
 #include "tests/exporters/povray/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::povray {
 namespace {
 
 using ::testing::HasSubstr;
@@ -139,4 +139,4 @@ TEST(PovShortfall, export_refuses_what_would_be_another_formula_and_names_the_ne
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::povray

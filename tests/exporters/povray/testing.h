@@ -13,7 +13,7 @@ inline const std::string kVector = "<" + kNumber + ", " + kNumber + ", " + kNumb
 inline const std::string kColor = "rgb (?:" + kVector + "|" + kNumber + ")";  ///< four groups
 
 inline std::string scene_text(const Scene& scene, Stage stage, const Material& m) {
-  return pov_scene(scene.view, scene.texture, {"shot", stage, m}, "", "MESH\n");
+  return povray::pov_scene(scene.view, scene.texture, {"shot", stage, m}, "", "MESH\n");
 }
 
 /// The groups of a match, empty if one took no part; the whole match first.

@@ -2,7 +2,7 @@
 
 #include "tests/exporters/mesh/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::stl {
 namespace {
 
 using ::testing::HasSubstr;
@@ -20,10 +20,10 @@ TEST_P(StlOfOpenMesh, a_knot_comes_back_with_its_facets_normals) {
   const OpenMesh::IO::Options options{OpenMesh::IO::Options::value_type(GetParam())};
   const std::string extension = GetParam() == OpenMesh::IO::Options::Binary ? ".stlb" : ".stla";
   const std::string bytes = testing::written_by_openmesh(knot, extension, options);
-  const TriangleMesh mesh = read_bytes(read_stl, bytes);
+  const TriangleMesh mesh = read_bytes(read, bytes);
   // OpenMesh's text has six digits, of numbers up to 2.
   ASSERT_EQ(mesh.triangles.size(), knot.n_faces());
-  EXPECT_EQ(read_stl(bytes, "knot").positions.size(), knot.n_vertices());
+  EXPECT_EQ(read(bytes, "knot").positions.size(), knot.n_vertices());
   for (const auto face : knot.faces()) {
     const Triangle& t = mesh.triangles[std::size_t(face.idx())];
     const Vec3d normal = normalize(testing::area_vector(mesh, t));
@@ -39,22 +39,22 @@ TEST_P(StlOfOpenMesh, a_knot_comes_back_with_its_facets_normals) {
 
 TEST(ReadStl, corners_at_equal_positions_are_one) {
   for (const std::string& bytes : {testing::tetrahedron_stl(), testing::tetrahedron_stl_text()}) {
-    EXPECT_EQ(read_stl(bytes, "knot").positions.size(), 4u);
+    EXPECT_EQ(read(bytes, "knot").positions.size(), 4u);
     // Facets without normals are smooth, so a corner is one vertex.
-    EXPECT_EQ(read_bytes(read_stl, bytes).positions.size(), 4u);
+    EXPECT_EQ(read_bytes(read, bytes).positions.size(), 4u);
   }
 }
 
 TEST(ReadStl, minus_zero_is_where_zero_is) {
   std::string text = testing::tetrahedron_stl_text();
   text.replace(text.find("vertex 0 0 0"), 12, "vertex -0 0 -0");
-  EXPECT_EQ(read_stl(text, "knot").positions.size(), 4u);
+  EXPECT_EQ(read(text, "knot").positions.size(), 4u);
 }
 
 TEST(ReadStl, binary_that_begins_with_solid_is_binary) {
   std::string bytes = testing::tetrahedron_stl();
   bytes.replace(0, 5, "solid");
-  EXPECT_EQ(read_bytes(read_stl, bytes).triangles.size(), 4u);
+  EXPECT_EQ(read_bytes(read, bytes).triangles.size(), 4u);
 }
 
 TEST(ReadStl, several_solids_in_capitals_become_one_mesh) {
@@ -63,7 +63,7 @@ TEST(ReadStl, several_solids_in_capitals_become_one_mesh) {
       "ENDLOOP\nENDFACET\nENDSOLID\n";
   const std::string text =
       fmt::format(fmt::runtime(solid), 0) + fmt::format(fmt::runtime(solid), 1);
-  EXPECT_EQ(testing::area(read_bytes(read_stl, text)), 1);
+  EXPECT_EQ(testing::area(read_bytes(read, text)), 1);
 }
 
 struct Refused {
@@ -95,11 +95,11 @@ TEST(ReadStl, errors_give_their_place) {
       {text + "facet normal 0 0 0\n", "line 31", "facet where solid"},
   };
   for (const Refused& c : cases) {
-    const std::string error = refusal(read_stl, c.bytes);
+    const std::string error = refusal(read, c.bytes);
     EXPECT_THAT(error, HasSubstr("mesh.file knot, " + c.place + ": ")) << c.bytes;
     EXPECT_THAT(error, HasSubstr(c.what)) << c.bytes;
   }
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::stl

@@ -51,7 +51,8 @@ struct ExtendedHit {
 };
 
 /// The point that Newton's method in (t, s) reaches from a hit: |P - C|^2 = r^2, (P - C).C' = 0.
-inline ExtendedHit polished(const Curve& curve, double radius, const Ray& ray, const TubeHit& hit) {
+inline ExtendedHit polished(const Curve& curve, double radius, const exact::Ray& ray,
+                            const exact::TubeHit& hit) {
   const Vec3x origin = extended(ray.origin), direction = extended(ray.direction);
   Extended t = hit.t, s = hit.distance;
   for (int i = 0; i < 8; ++i) {
@@ -71,7 +72,7 @@ inline ExtendedHit polished(const Curve& curve, double radius, const Ray& ray, c
 
 /// G = |a w + b d|^2 - r^2 a^2 with w = o - C, a = d.C', b = -w.C': zero at the hits' t, with a
 /// change of sign unless two meet.
-inline Extended meeting(const Curve& curve, double radius, const Ray& ray, Extended t) {
+inline Extended meeting(const Curve& curve, double radius, const exact::Ray& ray, Extended t) {
   const ExtendedPoint c = extended_point(curve, t);
   const Vec3x d = extended(ray.direction), w = extended(ray.origin) - c.position;
   const Extended a = dot(d, c.first), b = -dot(w, c.first);
@@ -80,7 +81,7 @@ inline Extended meeting(const Curve& curve, double radius, const Ray& ray, Exten
 }
 
 /// The signs of G that change between `steps` points of one loop.
-inline int changes_of_sign(const Curve& curve, double radius, const Ray& ray, int steps) {
+inline int changes_of_sign(const Curve& curve, double radius, const exact::Ray& ray, int steps) {
   int changes = 0;
   bool last = meeting(curve, radius, ray, 0.0001L) > 0;
   for (int i = 1; i <= steps; ++i) {

@@ -13,7 +13,7 @@
 #include "tests/render/exact/oracle.h"
 #include "tests/render/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 using namespace testing;
@@ -228,4 +228,4 @@ TEST(Truth, refuses_frames_that_make_no_round_tube) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

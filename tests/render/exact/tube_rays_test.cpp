@@ -5,7 +5,7 @@
 #include "tests/render/exact/oracle.h"
 #include "tests/render/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::exact {
 namespace {
 
 using namespace testing;
@@ -161,4 +161,4 @@ TEST(TubeRays, hits_keep_with_the_size_of_the_world) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::exact

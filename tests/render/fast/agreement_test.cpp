@@ -4,7 +4,7 @@
 #include "scene/bricks.h"
 #include "tests/render/fast/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 using testing::Difference;
@@ -15,7 +15,7 @@ using testing::knot_scene;
 /// Floats instead of doubles, and image points snapped to 1/1024 of a pixel: a sample flips where
 /// an edge passes within 1/2048 of it, about 1 in 1000 along silhouettes. Inside, 1/255 is half a
 /// step of a picture of bytes.
-void expect_close(const Scene& scene, const FastOptions& options = {}) {
+void expect_close(const Scene& scene, const Options& options = {}) {
   const Difference d = difference(render(scene), fast_image(scene, options));
   EXPECT_LE(d.coverage, 2);
   EXPECT_GT(d.covered, 1000);
@@ -25,7 +25,7 @@ void expect_close(const Scene& scene, const FastOptions& options = {}) {
 
 TEST(Fast, draws_what_the_reference_draws_with_every_set_of_instructions) {
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     expect_close(knot_scene(), options);
   }
@@ -146,7 +146,7 @@ TEST(Fast, clamps_a_texture_where_it_should) {
   scene.view.image = {60, 60, 1};
   scene.view.ambient = 1;
   scene.view.lights.clear();
-  FastOptions options;
+  Options options;
   options.wrapping = Wrapping::kClamp;
   const Image image = fast_image(scene, options);
   const auto& texture = std::get<TextureImage>(scene.texture);
@@ -166,7 +166,7 @@ TEST(Fast, trilinear_filtering_is_nearer_to_the_filtered_truth_than_bilinear) {
   Scene fine = scene;
   fine.view.image.samples = 16;
   const Image truth = render(fine);
-  FastOptions options;
+  Options options;
   const double bilinear = difference(truth, fast_image(scene, options)).mean;
   options.filter = Filter::kTrilinear;
   EXPECT_LT(difference(truth, fast_image(scene, options)).mean, bilinear / 2);
@@ -175,7 +175,7 @@ TEST(Fast, trilinear_filtering_is_nearer_to_the_filtered_truth_than_bilinear) {
 TEST(Fast, trilinear_filtering_of_a_magnified_texture_is_bilinear) {
   Scene scene = knot_scene();
   scene.texture = testing::noise_texture(2, 2);
-  FastOptions options;
+  Options options;
   options.filter = Filter::kTrilinear;
   const Difference d = difference(fast_image(scene), fast_image(scene, options));
   EXPECT_LT(d.mean, 0.01);  // except for pixels at grazing angles
@@ -183,7 +183,7 @@ TEST(Fast, trilinear_filtering_of_a_magnified_texture_is_bilinear) {
 
 TEST(Fast, bytes_are_the_floats_rounded) {
   const Scene scene = knot_scene();
-  FastRenderer renderer(scene, {});
+  Renderer renderer(scene, {});
   Image floats;
   Grid<Rgba8> bytes;
   renderer.draw(floats);
@@ -199,4 +199,4 @@ TEST(Fast, bytes_are_the_floats_rounded) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -5,7 +5,7 @@
 #include "render/projection.h"
 #include "tests/render/fast/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 using testing::Difference;
@@ -50,7 +50,7 @@ void add_flat(TriangleMesh& mesh, const std::array<Vec3d, 3>& corners) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-void expect_identical(const Scene& scene, const FastOptions& options) {
+void expect_identical(const Scene& scene, const Options& options) {
   ASSERT_EQ(Projection(scene.view.camera, kSize, kSize).pixel_width(), 1.0 / 128);
   const Difference d = difference(render(scene), fast_image(scene, options));
   EXPECT_EQ(d.coverage, 0);
@@ -79,7 +79,7 @@ Scene soup(std::uint32_t seed, int count, int extent, int grid) {
 
 TEST(FastCoverage, of_small_triangles_on_snapped_points_is_the_references) {
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     expect_identical(soup(1, 3000, 8, 1), options);
     expect_identical(soup(2, 3000, 8, 512), options);  // corners and edges through samples
@@ -91,7 +91,7 @@ TEST(FastCoverage, of_triangles_at_one_depth_is_the_later_ones) {
   Scene scene = soup(8, 3000, 8, 512);
   for (Vec3d& p : scene.mesh.positions) p = {p.x / (4 - p.z), p.y / (4 - p.z), 3};
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     expect_identical(scene, options);
   }
@@ -105,7 +105,7 @@ TEST(FastCoverage, of_a_clipped_triangle_at_the_depth_of_others_is_between_them)
   auto& triangles = scene.mesh.triangles;
   std::rotate(triangles.begin() + 1500, triangles.end() - 1, triangles.end());
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     expect_identical(scene, options);
   }
@@ -113,7 +113,7 @@ TEST(FastCoverage, of_a_clipped_triangle_at_the_depth_of_others_is_between_them)
 
 TEST(FastCoverage, of_large_triangles_on_snapped_points_is_the_references) {
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     expect_identical(soup(3, 60, 500, 1), options);
     expect_identical(soup(4, 60, 500, 512), options);
@@ -142,7 +142,7 @@ TEST(FastCoverage, of_triangles_through_each_other_is_the_references) {
       add_flat(scene.mesh, corners);
     }
     for (const SimdLevel level : testing::simd_levels()) {
-      FastOptions options;
+      Options options;
       options.level = level;
       const Image reference = render(scene), fast = fast_image(scene, options);
       int differing = 0, covered = 0;
@@ -179,7 +179,7 @@ TEST(FastCoverage, of_a_fan_draws_every_sample_once) {
   }
   expect_identical(scene, {});
   for (const int samples : {2, 4, 6, 8, 16}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     for (const RgbaPixel& p : fast_image(scene, options).pixels) EXPECT_NEAR(p.coverage, 1, 1e-6);
   }
@@ -188,7 +188,7 @@ TEST(FastCoverage, of_a_fan_draws_every_sample_once) {
 // The mean of many samples is the area: for a half plane, its edge's distance from the centre.
 TEST(FastCoverage, of_samples_tells_the_covered_share) {
   for (const int samples : {1, 2, 4, 6, 8, 16}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     double sum = 0;
     for (int shift = 0; shift < 64; ++shift) {
@@ -206,7 +206,7 @@ TEST(FastCoverage, of_several_samples_leaves_the_inside_as_it_is) {
   const Scene scene = testing::knot_scene(96, 400, 24);
   const Image one = fast_image(scene);
   for (const int samples : {2, 4, 6, 8, 16}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     const Image many = fast_image(scene, options);
     Scene fine = scene;
@@ -218,7 +218,7 @@ TEST(FastCoverage, of_several_samples_leaves_the_inside_as_it_is) {
 
 TEST(FastCoverage, back_faces_of_a_closed_mesh_are_not_missed) {
   const Scene scene = testing::knot_scene();
-  FastOptions options;
+  Options options;
   options.cull_back_faces = true;
   const Difference d = difference(fast_image(scene), fast_image(scene, options));
   // Where a silhouette's front face has no sample, its back face may have one.
@@ -229,7 +229,7 @@ TEST(FastCoverage, back_faces_of_a_closed_mesh_are_not_missed) {
 TEST(FastCoverage, back_faces_alone_are_not_drawn) {
   Scene scene = flat_scene();
   scene.mesh = testing::square(1);
-  FastOptions options;
+  Options options;
   options.cull_back_faces = true;
   const auto covered = [&] {
     int count = 0;
@@ -242,4 +242,4 @@ TEST(FastCoverage, back_faces_alone_are_not_drawn) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

@@ -5,7 +5,7 @@
 #include "tests/render/fast/allocations.h"
 #include "tests/render/fast/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 using testing::Difference;
@@ -16,9 +16,9 @@ using testing::knot_scene;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::string refusal(const Scene& scene, const FastOptions& options) {
+std::string refusal(const Scene& scene, const Options& options) {
   try {
-    FastRenderer(scene, options);
+    Renderer(scene, options);
   } catch (const Error& error) {
     return error.what();
   }
@@ -28,7 +28,7 @@ std::string refusal(const Scene& scene, const FastOptions& options) {
 TEST(FastLimits, the_number_of_threads_does_not_matter) {
   const Scene scene = knot_scene(150, 200, 20);
   for (const int samples : {1, 8}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     options.threads = 1;
     const Image one = fast_image(scene, options);
@@ -45,7 +45,7 @@ TEST(FastLimits, the_number_of_threads_does_not_matter) {
 
 TEST(FastLimits, sets_of_instructions_agree_to_a_255th) {
   for (const int samples : {1, 8}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     options.filter = Filter::kTrilinear;
     options.level = SimdLevel::kBaseline;
@@ -62,10 +62,10 @@ TEST(FastLimits, sets_of_instructions_agree_to_a_255th) {
 TEST(FastLimits, a_frame_after_the_first_allocates_nothing) {
   const Scene scene = knot_scene();
   for (const int samples : {1, 8}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     options.threads = 2;
-    FastRenderer renderer(scene, options);
+    Renderer renderer(scene, options);
     Grid<Rgba8> bytes;
     renderer.draw(bytes);
     const long before = testing::allocations();
@@ -77,7 +77,7 @@ TEST(FastLimits, a_frame_after_the_first_allocates_nothing) {
 TEST(FastLimits, frames_with_clipped_triangles_allocate_nothing_either) {
   Scene scene = knot_scene();
   scene.view.camera.position = scene.mesh.positions[0];
-  FastRenderer renderer(scene, {});
+  Renderer renderer(scene, {});
   Grid<Rgba8> bytes;
   renderer.draw(bytes);
   renderer.draw(bytes);
@@ -108,7 +108,7 @@ TEST(FastLimits, an_eye_that_looks_away_sees_nothing) {
   Scene scene = knot_scene();
   scene.view.camera.target = scene.view.camera.position * 2;
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     for (const RgbaPixel& p : fast_image(scene, options).pixels) ASSERT_EQ(p.coverage, 0);
   }
@@ -120,7 +120,7 @@ TEST(FastLimits, an_eye_in_the_middle_of_a_knot_draws_what_the_reference_does) {
   scene.view.camera.position = {0.5, -0.5, 0.5};
   scene.view.camera.target = {-1, 1, -0.2};
   for (const SimdLevel level : testing::simd_levels()) {
-    FastOptions options;
+    Options options;
     options.level = level;
     const Difference d = difference(render(scene), fast_image(scene, options));
     EXPECT_LE(d.coverage, 2);
@@ -189,7 +189,7 @@ TEST(FastLimits, huge_triangles_are_drawn) {
 TEST(FastLimits, what_it_can_not_draw_is_refused) {
   const Scene scene = knot_scene();
   for (const int samples : {0, 3, 17, -1}) {
-    FastOptions options;
+    Options options;
     options.samples = samples;
     EXPECT_EQ(refusal(scene, options),
               "--multisample must be 1, 2, 4, 6, 8 or 16, got " + std::to_string(samples));
@@ -206,4 +206,4 @@ TEST(FastLimits, what_it_can_not_draw_is_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

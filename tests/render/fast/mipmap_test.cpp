@@ -5,7 +5,7 @@
 
 #include "tests/render/fast/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 /// A texture of floats, so that levels aren't rounded to bytes.
@@ -61,4 +61,4 @@ TEST(Mipmap, a_texel_is_the_mean_of_what_it_lies_over) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

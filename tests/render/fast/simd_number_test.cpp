@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace lumaknot {
+namespace lumaknot::fast {
 namespace {
 
 using S = Floats<xsimd::default_arch>;
@@ -63,4 +63,4 @@ TEST(SimdNumber, power_errs_by_what_rounding_the_exponent_costs) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::fast

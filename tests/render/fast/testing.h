@@ -35,16 +35,17 @@ inline Scene knot_scene(int size = 96, int segments = 96, int sides = 12) {
   return scene;
 }
 
-inline Image fast_image(const Scene& scene, const FastOptions& options = {}) {
+inline Image fast_image(const Scene& scene, const fast::Options& options = {}) {
   Image image;
-  FastRenderer(scene, options).draw(image);
+  fast::Renderer(scene, options).draw(image);
   return image;
 }
 
-inline std::vector<SimdLevel> simd_levels() {
-  std::vector<SimdLevel> levels;
-  for (const SimdLevel level : {SimdLevel::kBaseline, SimdLevel::kAvx2, SimdLevel::kAvx512}) {
-    if (level <= best_simd_level()) levels.push_back(level);
+inline std::vector<fast::SimdLevel> simd_levels() {
+  std::vector<fast::SimdLevel> levels;
+  for (const fast::SimdLevel level :
+       {fast::SimdLevel::kBaseline, fast::SimdLevel::kAvx2, fast::SimdLevel::kAvx512}) {
+    if (level <= fast::best_simd_level()) levels.push_back(level);
   }
   return levels;
 }

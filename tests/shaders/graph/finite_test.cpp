@@ -49,26 +49,19 @@ std::vector<Place> random_places() {
   return places;
 }
 
-/// `m` with the numbers of its model at their ends, as far as scenes allow.
+/// `m` with the numbers of its model at the ends of their ranges.
 std::vector<Material> edge_materials(const Material& m) {
   std::vector<Material> result{m};
-  const auto add = [&](double Material::* number, double value) {
-    result.push_back(m);
-    result.back().*number = value;
+  const auto add = [&](auto term, auto...) {
+    for (const Parameter& p : term.kParameters) {
+      for (const double value : {p.range.min, p.value, std::min(p.range.max, 1e6)}) {
+        result.push_back(m);
+        result.back().parameters.at(kNamedParameters.index_of(p.name)) = value;
+      }
+    }
   };
-  const bool microfacets = m.model == Model::kCookTorrance;
-  if (!microfacets) {
-    for (const double k : {0.0, 1e6}) add(&Material::shininess, k);
-  }
-  if (microfacets || m.model == Model::kOrenNayar) {
-    for (const double r : {microfacets ? 0.04 : 0.0, 1.57}) add(&Material::roughness, r);
-  }
-  if (microfacets) {
-    for (const double f0 : {0.0, 1.0}) add(&Material::reflectance, f0);
-  }
-  if (m.model == Model::kMinnaert) {
-    for (const double k : {0.0, 1.0, 10.0}) add(&Material::darkness, k);
-  }
+  with_diffuse(m.model, m.parameters, add);
+  with_highlight(m.model, m.parameters, add);
   return result;
 }
 

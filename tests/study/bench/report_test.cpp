@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace lumaknot {
+namespace lumaknot::bench {
 namespace {
 
 using ::testing::HasSubstr;
@@ -39,8 +39,8 @@ TEST(RateReport, rounds_that_disagree_widen_a_cost_s_interval) {
     return row.cost_intervals[2];
   };
   const FrameTimes fast{{{2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}, {2, 2, 2, 2, 2}}};
-  EXPECT_TRUE(std::isinf(of({times()}).low));  // five pairs
-  EXPECT_DOUBLE_EQ(of({times(), times(), times()}).low, 0.5);
+  EXPECT_TRUE(std::isinf(of({times()}).min));  // five pairs
+  EXPECT_DOUBLE_EQ(of({times(), times(), times()}).min, 0.5);
   const Interval<double> wide = of({times(), times(), times(), times(), fast});
   EXPECT_EQ(wide.min, 0);
   EXPECT_DOUBLE_EQ(wide.max, 0.5);
@@ -95,4 +95,4 @@ TEST(RateReport, shots_keep_the_scene_s_numbers) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

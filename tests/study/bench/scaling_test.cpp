@@ -6,7 +6,7 @@
 
 #include "meshgen/knot_mesh.h"
 
-namespace lumaknot {
+namespace lumaknot::bench {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -62,4 +62,4 @@ TEST(Scaling, is_measured_of_pixels_and_samples_and_of_a_knots_triangles) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::bench

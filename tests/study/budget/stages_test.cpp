@@ -9,7 +9,7 @@
 #include "study/budget/knot_samples.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::budget {
 namespace {
 
 using ::testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(ErrorBudget, refuses_what_it_has_no_stage_for) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::budget

@@ -7,7 +7,7 @@
 #include "study/chart/points.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -80,4 +80,4 @@ TEST_F(ChartKept, is_of_no_use_to_another_scene_even_where_only_truths_are_there
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

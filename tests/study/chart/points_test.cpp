@@ -8,7 +8,7 @@
 
 #include "study/chart/checkpoint.h"
 
-namespace lumaknot {
+namespace lumaknot::chart {
 namespace {
 
 using ::testing::ElementsAre;
@@ -20,8 +20,8 @@ const Metric& rmse() { return chart_metrics().front(); }
 /// A method of one sample with that error, whose frames take so many times the baseline's.
 ChartPoint point(std::string name, double error, std::vector<double> ratios,
                  Space space = Space::kRgb) {
-  ChartPoint p{std::move(name), Method{.space = space}, space, {}, {}, {}, {}};
-  Errors errors;
+  ChartPoint p{std::move(name), measure::Method{.space = space}, space, {}, {}, {}, {}};
+  measure::Errors errors;
   errors.rmse = error;
   p.errors = {errors, errors};
   p.ratios = std::move(ratios);
@@ -193,4 +193,4 @@ TEST(Chart, finished_points_have_errors_and_times) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::chart

@@ -9,7 +9,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -73,4 +73,4 @@ TEST_F(CheckpointFile, is_not_saved_before_the_interval_is_over) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 struct Pair {
@@ -64,4 +64,4 @@ TEST(Ciede2000, is_symmetric_and_zero_for_equal_colours) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

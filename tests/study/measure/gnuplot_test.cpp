@@ -4,7 +4,7 @@
 
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 constexpr std::string_view kLine = "$data << EOD\n1 2\n3 4\nEOD\nplot $data with lines title 'a'";
@@ -29,4 +29,4 @@ TEST(Gnuplot, reports_what_it_rejected) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

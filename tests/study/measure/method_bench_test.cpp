@@ -5,7 +5,7 @@
 
 #include "meshgen/knot_mesh.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 KnotSpec small_knot() { return {.segments = 24, .sides = 6}; }
@@ -60,4 +60,4 @@ TEST(NeedsRound, slow_frames_are_timed_in_the_first_rounds_only) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

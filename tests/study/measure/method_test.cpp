@@ -12,7 +12,7 @@
 #include "study/chart/points.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 SceneSpec small_spec() {
@@ -50,7 +50,7 @@ TEST(Method, has_a_name_of_its_own) {
 TEST(Method, the_usual_ones_are_sixty_or_more_of_names_of_their_own_and_can_be_drawn) {
   const SceneSpec spec = *builtin_scene("figure2");
   const std::vector<Space> spaces{Space::kRgb, Space::kYiq};
-  const std::vector<Method> all = usual_methods(spec.mesh, bricks(), spaces);
+  const std::vector<Method> all = chart::usual_methods(spec.mesh, bricks(), spaces);
   std::set<std::string> names;
   for (const Method& method : all) {
     EXPECT_EQ(method_shortfall(method), "");
@@ -62,7 +62,7 @@ TEST(Method, the_usual_ones_are_sixty_or_more_of_names_of_their_own_and_can_be_d
 
 TEST(Method, those_of_a_mesh_file_keep_its_mesh) {
   const std::vector<Space> spaces{Space::kRgb};
-  for (const Method& method : usual_methods(MeshFile{"a.obj"}, Vec3d{1, 0, 0}, spaces)) {
+  for (const Method& method : chart::usual_methods(MeshFile{"a.obj"}, Vec3d{1, 0, 0}, spaces)) {
     EXPECT_EQ(method.segments, 0);
   }
 }
@@ -131,4 +131,4 @@ TEST(Method, the_true_material_leaves_out_what_methods_approximate) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

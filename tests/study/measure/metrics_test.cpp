@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 Image plain(float r, float g, float b, float coverage = 1) {
@@ -83,4 +83,4 @@ TEST(Flip, a_translation_of_noise_too_fine_for_the_eye_is_less_than_one_of_block
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

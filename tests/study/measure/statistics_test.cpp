@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace lumaknot {
+namespace lumaknot::measure {
 namespace {
 
 TEST(Statistics, median_of_an_odd_number_is_the_middle_one) {
@@ -56,4 +56,4 @@ TEST(Statistics, a_time_is_shown_by_three_digits_and_never_fewer_before_the_poin
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::measure

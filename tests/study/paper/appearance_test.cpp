@@ -2,7 +2,7 @@
 #include "study/paper/outlook_claims.h"
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 const Image kRed = filled({0.7f, 0.2f, 0.15f}), kGrey = filled({0.3f, 0.3f, 0.3f}),
@@ -125,4 +125,4 @@ TEST(PaperOutlook, greater_accuracy_is_less_turn_of_the_hue_than_yiq) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

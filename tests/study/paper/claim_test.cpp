@@ -2,7 +2,7 @@
 
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 PaperClaim claim_of(std::vector<Measure> measures) {
@@ -51,4 +51,4 @@ TEST(PaperClaim, numbers_read_as_people_write_them) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

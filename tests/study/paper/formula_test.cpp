@@ -2,7 +2,7 @@
 #include "study/paper/formula_claims.h"
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 /// Light from straight above, seen from the side, at several tilts of the surface.
@@ -123,4 +123,4 @@ TEST(PaperFormulas, two_textures_that_a_display_cuts_to_white_look_the_same) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

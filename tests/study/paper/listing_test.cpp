@@ -3,7 +3,7 @@
 #include "study/paper/listing_claims.h"
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 const Image kPlain = filled({0.5f, 0.4f, 0.3f}), kDarker = filled({0.4f, 0.3f, 0.2f});
@@ -100,4 +100,4 @@ TEST(PaperSlots, forms_of_yiq_differ_by_their_conversions) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -9,7 +9,7 @@
 #include "system/process.h"
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 using ::testing::HasSubstr;
@@ -183,4 +183,4 @@ TEST(PaperScenes, the_claims_of_the_formulas_have_numbers_and_names_of_their_own
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -1,12 +1,13 @@
 #include "study/paper/speed_claims.h"
 #include "tests/study/paper/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 namespace {
 
 /// A row of one thread whose listing costs `cost`, give or take `noise`.
-RateRow row(const std::string& renderer, double cost, double milliseconds = 10, double noise = 0) {
-  RateRow r;
+bench::RateRow row(const std::string& renderer, double cost, double milliseconds = 10,
+                   double noise = 0) {
+  bench::RateRow r;
   r.renderer = renderer;
   r.threads = 1;
   r.milliseconds.fill({milliseconds, milliseconds, milliseconds});
@@ -34,7 +35,7 @@ TEST(PaperSpeed, the_counts_name_one_grid) {
 }
 
 TEST(PaperSpeed, the_text_of_table_2_follows_from_its_rates_but_for_its_32_percent) {
-  const PaperClaim claim = table_claim(paper_rows());
+  const PaperClaim claim = table_claim(bench::paper_rows());
   EXPECT_EQ(ruling_of(claim), Ruling::kHoldsInPart);
   EXPECT_FALSE(measure(claim, "most, as high as 32 %").meets());  // 32.6
   EXPECT_TRUE(measure(claim, "GTS 250, 8x").meets());
@@ -42,7 +43,7 @@ TEST(PaperSpeed, the_text_of_table_2_follows_from_its_rates_but_for_its_32_perce
 }
 
 TEST(PaperSpeed, slower_in_all_instances_needs_every_row_decided) {
-  const auto claim = [](const RateRow& a, const RateRow& b) {
+  const auto claim = [](const bench::RateRow& a, const bench::RateRow& b) {
     return slower_claim(std::vector{a, b});
   };
   EXPECT_EQ(ruling_of(claim(row("a", 0.1), row("b", 0.02))), Ruling::kHolds);
@@ -58,16 +59,17 @@ TEST(PaperSpeed, what_turns_on_noise_is_not_decided) {
   EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(0.02)})), Ruling::kNotMeasurable);
   EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(-0.02)})), Ruling::kNotMeasurable);
   EXPECT_EQ(ruling_of(slower_claim(std::vector{noisy(0.03)})), Ruling::kHolds);
-  const PaperClaim cost = cost_claim(std::vector{noisy(0.01), noisy(0.15)}, paper_rows());
+  const PaperClaim cost = cost_claim(std::vector{noisy(0.01), noisy(0.15)}, bench::paper_rows());
   EXPECT_EQ(ruling_of(cost), Ruling::kHolds) << "of the most alone";
   EXPECT_FALSE(measure(cost, "least cost here").is_bound());
   EXPECT_THAT(cost.beyond, ::testing::HasSubstr("the least cost here is from -1.5 to 3.5 %"));
-  EXPECT_EQ(ruling_of(cost_claim(std::vector{noisy(0.01)}, paper_rows())), Ruling::kNotMeasurable);
+  EXPECT_EQ(ruling_of(cost_claim(std::vector{noisy(0.01)}, bench::paper_rows())),
+            Ruling::kNotMeasurable);
 }
 
 TEST(PaperSpeed, costs_are_held_to_those_of_the_papers_table) {
   const auto ruling = [](double min, double max) {
-    return ruling_of(cost_claim(std::vector{row("a", min), row("b", max)}, paper_rows()));
+    return ruling_of(cost_claim(std::vector{row("a", min), row("b", max)}, bench::paper_rows()));
   };
   EXPECT_EQ(ruling(0.02, 0.3), Ruling::kHolds);
   EXPECT_EQ(ruling(0.001, 0.3), Ruling::kHoldsInPart);
@@ -75,7 +77,7 @@ TEST(PaperSpeed, costs_are_held_to_those_of_the_papers_table) {
 }
 
 TEST(PaperSpeed, real_time_is_thirty_frames_a_second_on_one_thread) {
-  RateRow many = row("many threads", 0, 100);
+  bench::RateRow many = row("many threads", 0, 100);
   many.threads = 2;
   EXPECT_EQ(ruling_of(real_time_claim(std::vector{row("a", 0, 10), many})), Ruling::kHolds);
   EXPECT_EQ(ruling_of(real_time_claim(std::vector{row("a", 0, 10), row("b", 0, 100)})),
@@ -84,16 +86,16 @@ TEST(PaperSpeed, real_time_is_thirty_frames_a_second_on_one_thread) {
 }
 
 TEST(PaperSpeed, glsl_is_held_to_what_hlsl_costs_in_the_paper) {
-  const auto claim = [](const std::vector<RateRow>& rows) {
-    return glsl_speed_claim(rows, paper_rows(), {});
+  const auto claim = [](const std::vector<bench::RateRow>& rows) {
+    return glsl_speed_claim(rows, bench::paper_rows(), {});
   };
   EXPECT_EQ(ruling_of(claim({row("llvmpipe", 0.02), row("other", 0.9)})), Ruling::kHolds);
   EXPECT_EQ(ruling_of(claim({row("llvmpipe", 0.2)})), Ruling::kDoesNotHold);
 }
 
 TEST(PaperSpeed, without_llvmpipe_there_is_the_reason_and_a_number) {
-  const std::vector<MissingRates> missing{{"llvmpipe", "libEGL not found"}};
-  const PaperClaim claim = glsl_speed_claim({}, paper_rows(), missing);
+  const std::vector<bench::MissingRates> missing{{"llvmpipe", "libEGL not found"}};
+  const PaperClaim claim = glsl_speed_claim({}, bench::paper_rows(), missing);
   EXPECT_EQ(ruling_of(claim), Ruling::kNotMeasurable);
   EXPECT_EQ(claim.beyond, "libEGL not found");
   EXPECT_FALSE(claim.measures.empty());
@@ -140,4 +142,4 @@ TEST(PaperSpeed, no_compromise_is_one_percent) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

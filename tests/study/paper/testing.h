@@ -6,7 +6,7 @@
 #include "study/paper/claim.h"
 #include "study/paper/picture_measures.h"
 
-namespace lumaknot {
+namespace lumaknot::paper {
 
 inline Image filled(Rgb color) {
   Image image(4, 4);
@@ -29,4 +29,4 @@ inline const Measure& measure(const PaperClaim& claim, const std::string& what) 
   return *found;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::paper

@@ -52,7 +52,7 @@ Grid<float> their_errors(const Image& reference, const Image& test) {
            {"LUMAKNOT_PEERS=" + peers_folder()}},
           std::chrono::seconds(60));
   if (!ended.succeeded()) throw std::runtime_error(ended.log);
-  EXPECT_NEAR(std::stod(ended.log), kFlipPixelsPerDegree, 1e-5);  // float
+  EXPECT_NEAR(std::stod(ended.log), measure::kFlipPixelsPerDegree, 1e-5);  // float
   const std::string bytes = read_file(folder.path() / "errors.bin", "their errors");
   Grid<float> errors(test.width, test.height);
   EXPECT_EQ(bytes.size(), errors.pixels.size() * sizeof(float));
@@ -66,7 +66,8 @@ constexpr double kPixel = 2e-4, kMean = 2e-5;
 
 void expect_same(const Image& reference, const Image& test) {
   const Grid<float> theirs = their_errors(reference, test);
-  const Grid<float> ours = flip_errors(flip_image(reference), flip_image(test));
+  const Grid<float> ours =
+      measure::flip_errors(measure::flip_image(reference), measure::flip_image(test));
   double mean = 0, largest = 0;
   for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
     const double d = double(ours.pixels[i]) - double(theirs.pixels[i]);

@@ -7,7 +7,7 @@
 namespace lumaknot {
 namespace {
 
-class WholePaper : public Program {};
+class WholePaper : public cli::Program {};
 
 TEST_F(WholePaper, all_three_renderers_draw_every_picture_and_agree) {
   const ProcessResult ended = lumaknot(
@@ -19,7 +19,8 @@ TEST_F(WholePaper, all_three_renderers_draw_every_picture_and_agree) {
     for (const auto& picture : json[figure]) {
       ASSERT_EQ(picture["images"].size(), 3u) << picture["name"];
       for (const auto& image : picture["images"]) {
-        EXPECT_TRUE(fs::exists(path("out") / image["file"].get<std::string>())) << image;
+        EXPECT_TRUE(std::filesystem::exists(path("out") / image["file"].get<std::string>()))
+            << image;
         EXPECT_EQ(image.value("outcome", "agreed"), "agreed") << image;  // ours has none
       }
     }

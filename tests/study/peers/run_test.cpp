@@ -44,7 +44,7 @@ Distance distance(const Image& drawn, const Image& reference, double limit) {
 }
 
 struct Promise {
-  Peer peer;
+  measure::Peer peer;
   int coverage;  ///< pixels
   double limit;
   int beyond;  ///< pixels
@@ -52,21 +52,21 @@ struct Promise {
 
 // A byte rounds by half a step. llvmpipe snaps vertices to 1/256 pixel and blends texels of 8 bits
 // with weights of 8 bits. Embree's rays are floats: a few slip between triangles at silhouettes.
-constexpr Promise kPromises[] = {{Peer::kSoftwareGl, 8, 2.0 / 255, 0},
-                                 {Peer::kEmbree, 3, 1.0 / 255, 8}};
+constexpr Promise kPromises[] = {{measure::Peer::kSoftwareGl, 8, 2.0 / 255, 0},
+                                 {measure::Peer::kEmbree, 3, 1.0 / 255, 8}};
 
 class Peers : public ::testing::TestWithParam<Promise> {
  protected:
   void SetUp() override {
-    if (const std::string why = missing_peer(GetParam().peer); !why.empty()) FAIL() << why;
+    if (const std::string why = measure::missing_peer(GetParam().peer); !why.empty()) FAIL() << why;
   }
 };
 
 TEST_P(Peers, frame_of_each_shot_is_the_reference) {
   const Scene scene = figure2();
-  const std::vector<Shot> shots = rate_shots(scene);
-  const PeerRun run(GetParam().peer, scene, shots, {.trilinear = false});
-  const PeerTimes times = run.run(2);
+  const std::vector<Shot> shots = bench::rate_shots(scene);
+  const measure::PeerRun run(GetParam().peer, scene, shots, {.trilinear = false});
+  const measure::PeerTimes times = run.run(2);
   ASSERT_EQ(times.milliseconds.size(), shots.size());
   const Grid<Fragment> fragments = visible_fragments(scene);
   for (std::size_t i = 0; i < shots.size(); ++i) {
@@ -81,13 +81,13 @@ TEST_P(Peers, frame_of_each_shot_is_the_reference) {
 TEST_P(Peers, several_samples_are_nearer_to_the_filtered_picture) {
   Scene scene = figure2();
   scene.view.image = {180, 180, 1};
-  const std::vector<Shot> shots = rate_shots(scene);
+  const std::vector<Shot> shots = bench::rate_shots(scene);
   Scene filtered = scene;
   filtered.view.material = shots[0].material;
   filtered.view.image.samples = 8;
   const Image reference = render(filtered);
   const auto mean = [&](int samples) {
-    const PeerRun run(GetParam().peer, scene, shots, {.samples = samples, .threads = 1});
+    const measure::PeerRun run(GetParam().peer, scene, shots, {.samples = samples, .threads = 1});
     EXPECT_GT(run.run(1).samples, samples / 4);
     return distance(run.image(shots[0].name), reference, 0).mean;
   };
@@ -97,9 +97,9 @@ TEST_P(Peers, several_samples_are_nearer_to_the_filtered_picture) {
 TEST_P(Peers, samples_that_there_are_not_are_refused_by_their_name) {
   Scene scene = figure2();
   scene.view.image = {32, 32, 1};
-  const std::vector<Shot> shots = rate_shots(scene);
+  const std::vector<Shot> shots = bench::rate_shots(scene);
   for (const int samples : {0, 17}) {
-    const PeerRun run(GetParam().peer, scene, shots, {.samples = samples});
+    const measure::PeerRun run(GetParam().peer, scene, shots, {.samples = samples});
     EXPECT_THAT([&] { run.run(1); },
                 ::testing::ThrowsMessage<std::runtime_error>(
                     ::testing::HasSubstr("samples must be an integer from 1")));
@@ -107,15 +107,17 @@ TEST_P(Peers, samples_that_there_are_not_are_refused_by_their_name) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Peers, Peers, ::testing::ValuesIn(kPromises), [](const auto& promise) {
-  return std::string(peer_name(promise.param.peer));
+  return std::string(measure::peer_name(promise.param.peer));
 });
 
 TEST(SoftwareGl, back_faces_of_a_closed_mesh_are_never_seen) {
-  if (const std::string why = missing_peer(Peer::kSoftwareGl); !why.empty()) FAIL() << why;
+  if (const std::string why = measure::missing_peer(measure::Peer::kSoftwareGl); !why.empty())
+    FAIL() << why;
   const Scene scene = figure2();
-  const std::vector<Shot> shots = rate_shots(scene);
-  const PeerRun all(Peer::kSoftwareGl, scene, shots, {});
-  const PeerRun culled(Peer::kSoftwareGl, scene, shots, {.cull_back_faces = true});
+  const std::vector<Shot> shots = bench::rate_shots(scene);
+  const measure::PeerRun all(measure::Peer::kSoftwareGl, scene, shots, {});
+  const measure::PeerRun culled(measure::Peer::kSoftwareGl, scene, shots,
+                                {.cull_back_faces = true});
   all.run(1);
   culled.run(1);
   const Distance d = distance(culled.image("classical"), all.image("classical"), 1.0 / 255);

@@ -14,7 +14,7 @@
 #include "system/process.h"
 #include "tests/study/plan/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 using ::testing::Contains;
@@ -37,12 +37,12 @@ Image drawn(const Plan& plan) {
   const SceneSpec spec = scene_from_json(scene_to_json(plan.simplified), "the plan");
   const std::vector<std::string> arguments = render_arguments(plan.chosen.method);
   if (arguments.empty()) return render(made(spec));
-  FastOptions options;
+  fast::Options options;
   options.filter = arguments[2] == "trilinear" ? Filter::kTrilinear : Filter::kBilinear;
   options.samples = std::stoi(arguments[4]);
   options.cull_back_faces = arguments.size() == 6 && arguments[5] == "--cull";
   Image image;
-  FastRenderer(made(spec), options).draw(image);
+  fast::Renderer(made(spec), options).draw(image);
   return image;
 }
 
@@ -64,11 +64,12 @@ double depth_of_way(const KnotSpec& knot, const Vec3d& from, const Vec3d& to) {
 
 /// Of point truth: how far the pixel is from what 200 rays within the shift see, or meet next
 /// behind a passage through the tube that is no deeper than what their distance leaves.
-double distance_from_rays(const KnotSpec& knot, const ExactPixels& pixels, const Shading& shading,
-                          int x, int y, double shift, const RgbaPixel& pixel) {
+double distance_from_rays(const KnotSpec& knot, const exact::ExactPixels& pixels,
+                          const Shading& shading, int x, int y, double shift,
+                          const RgbaPixel& pixel) {
   constexpr int kRays = 200;
   std::array<double, 4> low{9, 9, 9, 9}, high{-9, -9, -9, -9};
-  const auto take = [&](const ExactFragment& seen) {
+  const auto take = [&](const exact::ExactFragment& seen) {
     const Vec3d c = saturate(shading.color(seen.fragment));
     const std::array<double, 4> value{c.x, c.y, c.z, seen.fragment.covered() ? 1.0 : 0.0};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -79,11 +80,11 @@ double distance_from_rays(const KnotSpec& knot, const ExactPixels& pixels, const
   for (int k = 0; k < (shift > 0 ? kRays : 1); ++k) {  // Vogel's spiral
     const double r = shift * std::sqrt(double(k) / (kRays - 1)), a = 2.399963 * k;
     const double u = x + 0.5 + r * std::cos(a), v = y + 0.5 + r * std::sin(a);
-    const ExactFragment seen = pixels.at(u, v);
+    const exact::ExactFragment seen = pixels.at(u, v);
     take(seen);
     if (!seen.fragment.covered()) continue;
     const double depth = seen.fragment.depth;
-    const ExactFragment out = pixels.at(u, v, depth * (1 + 1e-9));
+    const exact::ExactFragment out = pixels.at(u, v, depth * (1 + 1e-9));
     if (!out.fragment.covered()) continue;
     const double deep = depth_of_way(knot, seen.fragment.position, out.fragment.position) /
                         (depth * pixels.pixel_width());
@@ -104,7 +105,7 @@ double distance_from_rays(const KnotSpec& knot, const ExactPixels& pixels, const
 /// The largest over all pixels.
 double own_error(const SceneSpec& spec, const Image& image, double shift) {
   const Scene scene = made(spec);
-  const ExactPixels pixels(scene, knot_of(spec));
+  const exact::ExactPixels pixels(scene, knot_of(spec));
   const Shot shot{"final", Stage::kFinal, scene.view.material};
   const Shading shading(scene, shot);
   double worst = 0;
@@ -302,13 +303,15 @@ TEST(Prediction, bounds_what_coarse_and_fine_grids_show) {
     const Tolerance tolerance;
     const std::vector<Fragment> seen = seen_of(spec);
     const Predictor predictor(whole(scene), knot_of(spec), seen, tolerance);
-    MethodBench bench(scene, knot_of(spec), {});
+    measure::MethodBench bench(scene, knot_of(spec), {});
     for (const ShadingFrequency rate : {ShadingFrequency::kPixel, ShadingFrequency::kVertex}) {
-      for (const GridSize grid : {GridSize{48, 8}, {96, 12}, {384, 40}}) {
-        const Method method = with_grid({.rate = rate, .filter = Filter::kBilinear}, grid);
+      for (const measure::GridSize grid : {measure::GridSize{48, 8}, {96, 12}, {384, 40}}) {
+        const measure::Method method =
+            measure::with_grid({.rate = rate, .filter = Filter::kBilinear}, grid);
         for (const ErrorPart& part : error_parts(method, knot_of(spec), predictor, bench)) {
           if (!part.predicted) continue;
-          EXPECT_LE(part.measured, *part.predicted) << part.name << " " << method_name(method);
+          EXPECT_LE(part.measured, *part.predicted)
+              << part.name << " " << measure::method_name(method);
         }
       }
     }
@@ -319,8 +322,10 @@ TEST(Prediction, comes_down_with_the_grid_at_order_two) {
   const SceneSpec spec = small_spec(64);
   const Scene scene = made(spec);
   const Predictor predictor(whole(scene), knot_of(spec), seen_of(spec), {});
-  const double coarse = predictor.of(with_grid({.filter = Filter::kBilinear}, {400, 40})).place;
-  const double fine = predictor.of(with_grid({.filter = Filter::kBilinear}, {800, 80})).place;
+  const double coarse =
+      predictor.of(measure::with_grid({.filter = Filter::kBilinear}, {400, 40})).place;
+  const double fine =
+      predictor.of(measure::with_grid({.filter = Filter::kBilinear}, {800, 80})).place;
   EXPECT_NEAR(coarse / fine, 4, 0.4);  // higher orders, and the snapping of corners
 }
 
@@ -337,8 +342,8 @@ TEST_F(Plans, are_refused_without_an_exact_surface) {
 TEST(Ladder, rises_and_holds_the_scene_s_own_grid) {
   const SceneSpec spec = small_spec(64);
   const Predictor predictor(whole(made(spec)), knot_of(spec), seen_of(spec), {});
-  const std::vector<GridSize> ladder = grid_ladder(knot_of(spec), predictor);
-  EXPECT_THAT(ladder, Contains(GridSize{192, 16}));
+  const std::vector<measure::GridSize> ladder = grid_ladder(knot_of(spec), predictor);
+  EXPECT_THAT(ladder, Contains(measure::GridSize{192, 16}));
   EXPECT_EQ(ladder.front().sides, 3);
   for (std::size_t i = 1; i < ladder.size(); ++i) {
     EXPECT_GE(ladder[i].segments * ladder[i].sides, ladder[i - 1].segments * ladder[i - 1].sides);
@@ -346,4 +351,4 @@ TEST(Ladder, rises_and_holds_the_scene_s_own_grid) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -6,7 +6,7 @@
 
 #include "tests/study/plan/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 using ::testing::Contains;
@@ -172,4 +172,4 @@ TEST(Simplifications, change_no_colour_by_more_than_their_bound) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

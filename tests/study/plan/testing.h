@@ -7,7 +7,7 @@
 #include "scene/spec.h"
 #include "study/plan/outcome.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 
 /// A trefoil of one colour, lit by one lamp, so many pixels a side.
 inline SceneSpec small_spec(int side = 96) {
@@ -28,10 +28,10 @@ inline Scene made(const SceneSpec& spec) {
 inline std::vector<Fragment> seen_of(const SceneSpec& spec) {
   std::vector<Fragment> seen;
   const Scene scene = made(spec);
-  for (const ExactFragment& f : exact_fragments(scene, knot_of(spec)).pixels) {
+  for (const exact::ExactFragment& f : exact::exact_fragments(scene, knot_of(spec)).pixels) {
     if (f.fragment.covered()) seen.push_back(f.fragment);
   }
   return seen;
 }
 
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

@@ -11,7 +11,7 @@
 #include "system/error.h"
 #include "tests/study/plan/testing.h"
 
-namespace lumaknot {
+namespace lumaknot::plan {
 namespace {
 
 constexpr double kStep = 1.0 / 255;
@@ -19,11 +19,11 @@ constexpr double kStep = 1.0 / 255;
 /// The truth as seen from `dx` pixels to the right.
 Image moved_truth(const SceneSpec& spec, double dx) {
   const Scene scene{{}, made(spec).texture, spec.view};
-  const ExactPixels pixels(scene, knot_of(spec));
+  const exact::ExactPixels pixels(scene, knot_of(spec));
   Image image(spec.view.image.width, spec.view.image.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const Sample sample = pixels.sample(pixels.at(x + 0.5 + dx, y + 0.5).fragment);
+      const exact::Sample sample = pixels.sample(pixels.at(x + 0.5 + dx, y + 0.5).fragment);
       image.at(x, y) = {to_rgb(sample.color), float(sample.coverage)};
     }
   }
@@ -117,15 +117,15 @@ TEST(ToleranceChecker, of_several_samples_the_mean_is_the_truth_and_sixteen_come
   KnotSpec knot = knot_of(spec);
   knot.segments = 600, knot.sides = 60;
   fine.mesh = knot_mesh(knot);
-  const Method method{600,
-                      60,
-                      ShadingFrequency::kPixel,
-                      Space::kRgb,
-                      Formula::kMatrices,
-                      Number::kFloat,
-                      Filter::kBilinear,
-                      16};
-  EXPECT_TRUE(checker.check(MethodRenderer(method, fine).image()).met);
+  const measure::Method method{600,
+                               60,
+                               ShadingFrequency::kPixel,
+                               Space::kRgb,
+                               measure::Formula::kMatrices,
+                               measure::Number::kFloat,
+                               Filter::kBilinear,
+                               16};
+  EXPECT_TRUE(checker.check(measure::MethodRenderer(method, fine).image()).met);
   EXPECT_FALSE(checker.check(moved_truth(spec, 0.75)).met);
 }
 
@@ -135,22 +135,22 @@ TEST(ToleranceChecker, what_less_than_the_shift_hides_counts_and_is_reported_sep
   spec.texture = Bricks{};
   spec.mesh = KnotSpec{.segments = 200, .sides = 24, .repeat_u = 12, .unwrap = Unwrap::kParameter};
   const ToleranceChecker checker(made(spec), knot_of(spec), {kStep, 0.25});
-  const Method method{200,
-                      24,
-                      ShadingFrequency::kPixel,
-                      Space::kRgb,
-                      Formula::kMatrices,
-                      Number::kFloat,
-                      Filter::kBilinear,
-                      1};
-  const ToleranceResult result = checker.check(MethodRenderer(method, made(spec)).image());
+  const measure::Method method{200,
+                               24,
+                               ShadingFrequency::kPixel,
+                               Space::kRgb,
+                               measure::Formula::kMatrices,
+                               measure::Number::kFloat,
+                               Filter::kBilinear,
+                               1};
+  const ToleranceResult result = checker.check(measure::MethodRenderer(method, made(spec)).image());
   EXPECT_TRUE(result.met);
   EXPECT_GT(result.hidden, 0);
   EXPECT_LT(result.hidden, result.shifted / 500);
 }
 
 /// The smallest distance from the pixel's centre at which one of many rays shows nothing.
-double distance_to_nothing(const ExactPixels& pixels, int x, int y, double max) {
+double distance_to_nothing(const exact::ExactPixels& pixels, int x, int y, double max) {
   constexpr int kRadii = 12, kAngles = 32;
   for (int i = 1; i <= kRadii; ++i) {
     for (int k = 0; k < kAngles; ++k) {
@@ -165,7 +165,7 @@ double distance_to_nothing(const ExactPixels& pixels, int x, int y, double max) 
 TEST(ToleranceChecker, what_is_hidden_shares_the_shift_with_its_place) {
   const SceneSpec spec = small_spec(40);
   const Scene scene = made(spec);
-  const ExactPixels pixels(scene, knot_of(spec));
+  const exact::ExactPixels pixels(scene, knot_of(spec));
   const ToleranceChecker checker(scene, knot_of(spec), {kStep, 0.25});
   Image near = moved_truth(spec, 0), far = near;
   long long farther = 0, nearer = 0;
@@ -215,4 +215,4 @@ TEST(Tolerance, that_no_picture_can_be_held_to_is_refused) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::plan

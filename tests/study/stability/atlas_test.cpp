@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 using ::testing::ElementsAre;
@@ -233,4 +233,4 @@ TEST(Energy, of_phong_head_on_is_two_by_k_plus_two) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -8,7 +8,7 @@
 #include "study/stability/test_scenes.h"
 #include "system/error.h"
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 bool all_numbers(const Image& image) {
@@ -36,7 +36,7 @@ testing::AssertionResult draws_numbers(Scene scene) {
   for (const std::string& name : formula_names()) {
     scene.view.material = *with_formula(numbers, name);
     Image fast;
-    FastRenderer(scene, {.threads = 1}).draw(fast);
+    fast::Renderer(scene, {.threads = 1}).draw(fast);
     if (!all_numbers(render(scene))) return testing::AssertionFailure() << name;
     if (!all_numbers(fast)) return testing::AssertionFailure() << name << ", fast";
   }
@@ -134,7 +134,7 @@ Scene with_positions(Scene scene, F moved) {
 Image drawn_fast(Scene scene) {
   scene.view.image = {48, 48, 1};
   Image image;
-  FastRenderer(scene, {.threads = 1}).draw(image);
+  fast::Renderer(scene, {.threads = 1}).draw(image);
   return image;
 }
 
@@ -191,4 +191,4 @@ TEST(Guarded, pictures_from_inside_the_tube_and_along_it_are_numbers) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

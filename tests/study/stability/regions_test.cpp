@@ -8,7 +8,7 @@
 #include <ostream>
 #include <set>
 
-namespace lumaknot {
+namespace lumaknot::stability {
 namespace {
 
 /// A value where the method must hold and one where it must fail, near to each other, and why
@@ -162,4 +162,4 @@ TEST(RegionList, has_both_sides_of_each_and_words_for_it) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::stability

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 Image filled(Rgb color) {
@@ -46,4 +46,4 @@ TEST(Claims, shares_of_clipped_pixels_are_counted_at_both_ends) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

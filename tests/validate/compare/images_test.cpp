@@ -6,7 +6,7 @@
 
 #include "tests/validate/small_scene.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using testing::final_shot;
@@ -230,4 +230,4 @@ TEST(Silhouettes, lie_where_the_surface_ends_or_passes_before_itself) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 TEST(Quantile, is_the_smallest_value_that_the_share_does_not_exceed) {
@@ -16,4 +16,4 @@ TEST(Quantile, is_the_smallest_value_that_the_share_does_not_exceed) {
 TEST(Quantile, is_zero_without_values) { EXPECT_EQ(quantile({}, 0.5), 0); }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "scene/presets.h"
 #include "validate/run.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 Programs programs() {
@@ -177,4 +177,4 @@ TEST(PlainColor, agrees_in_every_renderer) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -6,7 +6,7 @@
 #include "validate/compare/images.h"
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using ::testing::HasSubstr;
@@ -156,4 +156,4 @@ INSTANTIATE_TEST_SUITE_P(All, RendererOfBlender,
                          [](const auto& p) { return std::string(p.param.name); });
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -14,7 +14,7 @@
 #include "tests/system/exits_with.h"
 #include "validate/compare/explain.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST(Doctor, finds_the_renderers_and_their_versions) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -11,7 +11,7 @@
 #include "validate/renderers/entry.h"
 #include "validate/run.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 Programs programs() {
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(All, EmittedShaders, ::testing::Values("GL", "GLES", "V
                          [](const auto& p) { return std::string(p.param); });
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

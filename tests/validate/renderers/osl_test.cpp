@@ -8,7 +8,7 @@
 #include "validate/renderers/blender_run.h"
 #include "validate/renderers/entry.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using ::testing::HasSubstr;
@@ -54,14 +54,14 @@ TEST_F(InstalledOsl, tells_the_version_of_its_blender) {
 TEST_F(InstalledOsl, shader_that_does_not_compile_fails_its_shot_alone_in_the_compilers_words) {
   const Scene scene = testing::small_scene();
   const std::vector<Shot> shots{testing::final_shot("rgb-phong"), testing::final_shot("yiq-phong")};
-  Package package = blender_package(scene, shots, "scene", ShotShaders::kOsl);
+  Package package = blender::blender_package(scene, shots, "scene", blender::ShotShaders::kOsl);
   const auto broken = std::ranges::find(package, "scene.rgb-phong.osl", &PackedFile::name);
   ASSERT_NE(broken, package.end());
   broken->bytes.insert(broken->bytes.rfind('}'), "  result = nowhere;\n");
   const BlenderRun blender{.command = {here_.path, "scene.py", "--"},
                            .environment = {},
                            .engine = "cycles",
-                           .shaders = ShotShaders::kOsl,
+                           .shaders = blender::ShotShaders::kOsl,
                            .time_limit = std::chrono::seconds(100)};
   const Rendering rendering = draw_package(blender, package, scene.view, shots);
   EXPECT_EQ(rendering.shots[0].status, RenderedShot::Status::kFailed);
@@ -71,4 +71,4 @@ TEST_F(InstalledOsl, shader_that_does_not_compile_fails_its_shot_alone_in_the_co
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate

@@ -9,7 +9,7 @@
 #include "tests/validate/small_scene.h"
 #include "validate/run.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 using ::testing::HasSubstr;
@@ -212,4 +212,4 @@ TEST(PovMaterial, light_too_bright_for_terms_in_16_bits_is_skipped_where_it_is_c
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate
