@@ -29,10 +29,14 @@ def registered(text):
     return text.rstrip() + f" {entry}(Toy)\n"
 
 
+def not_sources(names):
+    """Of the names in the root: hidden ones, those of the tests and of what builds and runs leave there."""
+    return [name for name in names if name.startswith(".") or name in ("build", "report", "tests")]
+
+
 def extend(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    ignored = shutil.ignore_patterns(".*", "build", "report", "tests", "__pycache__")
-    shutil.copytree(root, copy, ignore=ignored)
+    shutil.copytree(root, copy, ignore=lambda folder, names: not_sources(names) if Path(folder) == root else ())
     for toy, place, entries in TOYS:
         (copy / place).parent.mkdir(exist_ok=True)
         shutil.copy2(HERE / toy, copy / place)

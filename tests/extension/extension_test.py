@@ -138,14 +138,14 @@ class ToyRenderer(Toy):
         self.write_scene()
         self.run_lumaknot("validate", "scene.json", "--renderer", "toy", "--toy", "toy-program", "-o", "report",
                           code=1)
-        report = self.read("report/report.json")
-        self.assertEqual(json.loads(report)["verdict"], "differed", "it draws grey")
-        self.assertIn('"reason": "a test"', report)
-        self.assertIn('"Toy 1"', report)
+        report = json.loads(self.read("report/report.json"))
+        self.assertEqual(report["verdict"], "differed", "it draws grey")
+        (toy,) = report["renderers"]
+        self.assertEqual((toy["renderer"], toy["limits"]["reason"]), ("Toy", "a test"))
 
     def test_brings_the_flag_of_its_program(self):
         self.assertIn("--toy ", self.run_lumaknot("validate", "--help"))
-        self.assertIn("Toy", self.run_lumaknot("doctor", "--json"))
+        self.assertIn("Toy 1", self.run_lumaknot("doctor", "--json"))
 
 
 if __name__ == "__main__":
