@@ -24,7 +24,7 @@ inline constexpr auto kModelNames =
 /// Calls f(M{}) for each model, where M is the type that describes it.
 template <class F>
 constexpr void for_each_model(F f) {
-#define LUMAKNOT_MODEL(name) f(name{});
+#define LUMAKNOT_MODEL(name) f(name{});  // NOLINT(bugprone-macro-parentheses): a type
   LUMAKNOT_MODELS(LUMAKNOT_MODEL)
 #undef LUMAKNOT_MODEL
 }
@@ -121,7 +121,7 @@ constexpr auto with_model(Model model, F f) {
   switch (model) {
 #define LUMAKNOT_MODEL(name) \
   case Model::k##name:       \
-    return f(name{});
+    return f(name{});  // NOLINT(bugprone-macro-parentheses): a type
     LUMAKNOT_MODELS(LUMAKNOT_MODEL)
 #undef LUMAKNOT_MODEL
   }

@@ -49,6 +49,7 @@ struct Descriptor {
 /// Pointers to the strings' characters and a null at the end, as exec wants them.
 std::vector<char*> c_strings(std::vector<std::string>& strings) {
   std::vector<char*> pointers;
+  pointers.reserve(strings.size() + 1);
   for (std::string& s : strings) pointers.push_back(s.data());
   pointers.push_back(nullptr);
   return pointers;
@@ -212,8 +213,9 @@ ProcessResult run(const Command& command, std::chrono::duration<double> limit) {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
-  for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + 1)) {
+  for (auto end = text.find(separator); end != text.npos; end = text.find(separator)) {
     parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
   }
   parts.push_back(text);
   return parts;
