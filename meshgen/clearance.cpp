@@ -202,6 +202,7 @@ LinkPair closest_pair(const PairedLink& link, LinkPair best, double resolution) 
 /// it.
 Clearance coaxial_clearance(const std::vector<Curve>& circles) {
   std::vector<Vec3d> points;
+  points.reserve(circles.size());
   for (const Curve& circle : circles) points.push_back(curve_point(circle, 0).position);
   const auto radius = [](const Vec3d& point) { return std::hypot(point.x, point.y); };
   const int count = int(circles.size());

@@ -14,6 +14,7 @@ namespace {
 /// At the sides j + fraction.
 std::vector<SinCos> between_sides(int sides, double fraction) {
   std::vector<SinCos> all;
+  all.reserve(std::size_t(sides));
   for (int j = 0; j < sides; ++j) all.push_back(sin_cos(2 * kPi * (j + fraction) / sides));
   return all;
 }

@@ -36,6 +36,7 @@ struct Column {
 std::vector<Column> columns_of(const KnotSpec& knot, const GridLayout& layout) {
   const std::vector<SinCos> angles = sin_cos_table(layout.sides);
   std::vector<Column> columns;
+  columns.reserve(std::size_t(layout.columns));
   for (int j = 0; j < layout.columns; ++j) {
     // the last column equals the first to the bit
     columns.push_back(
@@ -105,8 +106,9 @@ void fill_quads(TriangleMesh& mesh, const GridLayout& layout, Cut cut, std::size
   const auto& [d, e, f] = cut[1];
   const Triangle one{corners[a], corners[b], corners[c]}, two{corners[d], corners[e], corners[f]};
   for (std::uint32_t j = 0; j < std::uint32_t(layout.sides); ++j) {
-    row[2 * j] = {one[0] + j, one[1] + j, one[2] + j};
-    row[2 * j + 1] = {two[0] + j, two[1] + j, two[2] + j};
+    Triangle* const halves = row + 2 * std::size_t(j);
+    halves[0] = {one[0] + j, one[1] + j, one[2] + j};
+    halves[1] = {two[0] + j, two[1] + j, two[2] + j};
   }
   if (layout.columns > layout.sides) return;
   for (std::size_t half = 0; half < 2; ++half) {  // the last side ends at the first column

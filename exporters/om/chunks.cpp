@@ -178,10 +178,15 @@ class OmChecker {
     }
   }
 
+  /// A chunk of a kind that the file has: those of faces, edges and vertices.
+  const OmChunk& chunk_of(KindIndex kind) const {
+    return *chunks_[kind];  // NOLINT(bugprone-unchecked-optional-access): see take()
+  }
+
   /// The i-th integer of a chunk, which must be `min` to `count` - 1.
   std::int64_t checked(KindIndex kind, std::size_t i, std::int64_t min, std::uint64_t count,
                        std::string_view what) const {
-    const OmChunk& chunk = *chunks_[kind];
+    const OmChunk& chunk = chunk_of(kind);
     const std::int64_t value = integer(chunk, i);
     if (value >= min && value < std::int64_t(count)) return value;
     fail(chunk.begin + i * chunk.scalar, fmt::format("{} {} does not exist, the file has {}; {}",
@@ -194,8 +199,8 @@ class OmChecker {
       checked(kHalfedges, 3 * h, 0, 2 * edges_, "halfedge");
       const auto to = checked(kHalfedges, 3 * h + 1, 0, vertices_, "vertex");
       checked(kHalfedges, 3 * h + 2, -1, faces_, "face");
-      if (h % 2 == 1 && to == integer(*chunks_[kHalfedges], 3 * h - 2)) {
-        const OmChunk& chunk = *chunks_[kHalfedges];
+      if (h % 2 == 1 && to == integer(chunk_of(kHalfedges), 3 * h - 2)) {
+        const OmChunk& chunk = chunk_of(kHalfedges);
         fail(chunk.begin + 3 * h * chunk.scalar,
              fmt::format("an edge from vertex {0} to vertex {0}; {1}", to, kExportAgain));
       }
@@ -204,7 +209,7 @@ class OmChecker {
 
   /// Following its halfedges, a face returns to the first, and all are its own.
   void check_faces() const {
-    const OmChunk& halfedges = *chunks_[kHalfedges];
+    const OmChunk& halfedges = chunk_of(kHalfedges);
     std::vector<bool> is_used(2 * edges_);
     for (std::uint64_t f = 0; f < faces_; ++f) {
       const auto first = std::uint64_t(checked(kFaces, f, 0, 2 * edges_, "halfedge"));
@@ -219,7 +224,7 @@ class OmChecker {
         h = std::uint64_t(integer(halfedges, 3 * h));
       } while (h != first);
       if (size < 3) {
-        fail(chunks_[kFaces]->begin + f * chunks_[kFaces]->scalar,
+        fail(chunk_of(kFaces).begin + f * chunk_of(kFaces).scalar,
              fmt::format("a face of {} corners, fewer than 3; {}", size, kExportAgain));
       }
     }

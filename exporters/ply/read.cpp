@@ -189,8 +189,10 @@ class PlyReader {
   }
 
   std::uint64_t list_size(const PlyProperty& property) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): of lists alone, which have a count
     const double size = values_.value(*property.count);
-    const auto max = double(values_.remaining() / Values::min_size(property.type));
+    const std::uint64_t fitting = values_.remaining() / Values::min_size(property.type);
+    const auto max = double(fitting);
     if (size >= 0 && size <= max && size == std::floor(size)) return std::uint64_t(size);
     values_.fail(
         fmt::format("a list of {} numbers, which the file can't hold; {}", size, kExportAgain));

@@ -54,7 +54,7 @@ const NodeType& node_type(const Node& node) {
   for (const NodeType& type : kNodeTypes) {
     if (type.op == node.op && type.is_vector == is_vector) return type;
   }
-  assert(!"every operation that the recorder knows is in the table");
+  assert(false && "every operation that the recorder knows is in the table");
   return kNodeTypes[0];
 }
 

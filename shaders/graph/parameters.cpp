@@ -66,7 +66,7 @@ ParameterInfo parameter_info(std::string_view name) {
   for (const ParameterInfo& info : kParameters) {
     if (info.name == plain) return info;
   }
-  assert(!"every number that lighting_of() names is in the table");
+  assert(false && "every number that lighting_of() names is in the table");
   return kParameters[0];
 }
 

@@ -40,6 +40,7 @@ Shader make_shader(const ShaderJob& job) {
   shader.recorded = record_shot(job.view, job.shot, job.keep, job.color);
   shader.baked = job.shot.material.form == Form::kBaked;
   std::vector<NodePtr> varyings;
+  varyings.reserve(shader.recorded.varyings.size());
   for (const Varying& varying : shader.recorded.varyings) varyings.push_back(varying.value);
   shader.vertex = reads_of(varyings);
   shader.fragment = reads_of({shader.recorded.color});

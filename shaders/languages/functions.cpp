@@ -25,6 +25,7 @@ std::vector<ShaderFunction::Input> inputs_of(const NodePtr& root) {
 
 std::vector<ShaderFunction> varying_functions(const Shader& shader) {
   std::vector<ShaderFunction> functions;
+  functions.reserve(shader.recorded.varyings.size());
   for (const Varying& varying : shader.recorded.varyings) {
     functions.push_back({varying.name + "_at", varying.value, inputs_of(varying.value)});
   }

@@ -50,6 +50,7 @@ std::string surface_input(const ShaderFunction::Input& input) {
 std::vector<EmittedFile> emit(const Shader& shader) {
   const ShaderFunction function = color_function(shader);
   std::vector<std::string> parameters;
+  parameters.reserve(function.inputs.size() + shader.fragment.parameters.size());
   for (const ShaderFunction::Input& input : function.inputs) {
     parameters.push_back(surface_input(input));
   }

@@ -98,6 +98,7 @@ std::vector<Argument> arguments_of(const Shader& shader) {
 
 std::string joined(const std::vector<Argument>& arguments, std::string Argument::* member) {
   std::vector<std::string_view> parts;
+  parts.reserve(arguments.size());
   for (const Argument& argument : arguments) parts.push_back(argument.*member);
   return fmt::format("{}", fmt::join(parts, ", "));
 }

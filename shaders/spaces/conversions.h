@@ -79,7 +79,7 @@ Axes<S> axes_from_rgb(const Vec<S>& rgb, Space space) {
     case Space::kRgb:
       break;
   }
-  assert(!"rgb has no axis of brightness");
+  assert(false && "rgb has no axis of brightness");
   return {S(0), S(0), S(0)};
 }
 
@@ -110,7 +110,7 @@ Vec<S> rgb_from_axes(const Axes<S>& axes, Space space) {
     case Space::kRgb:
       break;
   }
-  assert(!"rgb has no axis of brightness");
+  assert(false && "rgb has no axis of brightness");
   return grey(S(0));
 }
 
