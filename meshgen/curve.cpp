@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "system/error.h"
 
 namespace lumaknot {
@@ -14,7 +14,7 @@ std::vector<Curve> components(const KnotSpec& knot) {
   std::vector<Curve> curves;
   for (int k = 0; k < count; ++k) {
     Curve curve{knot.p / count, knot.q / count, knot.major_radius, knot.minor_radius};
-    const double phase = 2 * std::numbers::pi * k;
+    const double phase = kTurn * k;
     (knot.q != 0 ? curve.longitude : curve.meridian) = phase / std::abs(knot.q ? knot.q : knot.p);
     // Only circles about the axis can shrink to a point, when they lie on it.
     const double size = knot.major_radius + knot.minor_radius;
@@ -64,7 +64,7 @@ CurvePoint curve_point(const Curve& curve, double t) {
   return curve_point(curve, torus_angles(curve, t));
 }
 
-double ring_parameter(int i, int n) { return 2 * std::numbers::pi * i / n; }
+double ring_parameter(int i, int n) { return kTurn * i / n; }
 
 double speed(const Curve& curve, double t) {
   const double reach =

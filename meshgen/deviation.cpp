@@ -6,8 +6,8 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/grid_scan.h"
 #include "meshgen/tube_distance.h"
 #include "system/error.h"
@@ -60,7 +60,7 @@ Vec3d mix(const Vec3d (&of)[3], const Site& site) {
 }
 
 double parameter_of(const TubeGrid& grid, const Site& site) {
-  return 2 * std::numbers::pi * (site.segment + segment_fraction(site)) / grid.segments;
+  return kTurn * (site.segment + segment_fraction(site)) / grid.segments;
 }
 
 double chord_at(const TubeGrid& grid, const Corners& corners, const Site& site) {
@@ -71,7 +71,7 @@ double chord_at(const TubeGrid& grid, const Corners& corners, const Site& site) 
 }
 
 double angle_key_at(const TubeGrid& grid, const Corners& corners, const Site& site) {
-  const double theta = 2 * std::numbers::pi * (site.side + side_fraction(site)) / grid.sides;
+  const double theta = kTurn * (site.side + side_fraction(site)) / grid.sides;
   const RingFrame frame = grid.surface.spine().frame(parameter_of(grid, site));
   return angle_key(mix(corners.normals, site),
                    frame.normal * std::cos(theta) + frame.binormal * std::sin(theta));

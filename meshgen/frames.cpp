@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
+#include "math/angle.h"
 #include "scene/fields.h"
 #include "system/error.h"
 
@@ -99,7 +98,7 @@ void check_defined(const std::vector<RingFrame>& frames, FrameRule rule, const C
     const bool finite = is_finite(frames[i].normal) && is_finite(frames[i].tangent);
     // three.js draws rings that flip, so its vertices have them.
     if (finite && (rule == FrameRule::kThree ||
-                   std::abs(twist_between(frames[i], frames[i + 1])) < std::numbers::pi / 2)) {
+                   std::abs(twist_between(frames[i], frames[i + 1])) < kPi / 2)) {
       continue;
     }
     throw Error(fmt::format(

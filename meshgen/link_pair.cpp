@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -36,7 +37,7 @@ PairedLink paired_link(const std::vector<Curve>& components, double near) {
   Curve curve = components.front();
   curve.meridian = 0;
   PeriodicIntegral integral([curve](double psi) { return speed(curve, psi / curve.q); });
-  const double length = integral(2 * std::numbers::pi);
+  const double length = integral(kTurn);
   return {components, std::move(integral), length, near};
 }
 

@@ -1,13 +1,13 @@
 #include "render/projection.h"
 
-#include <numbers>
+#include "math/angle.h"
 
 namespace lumaknot {
 
 Projection::Projection(const Camera& camera, int width, int height)
     : frame_(camera_frame(camera)),
       eye_(camera.position),
-      focal_(0.5 * height / std::tan(camera.fov_degrees * std::numbers::pi / 360)),
+      focal_(0.5 * height / std::tan(camera.fov_degrees * kPi / 360)),
       center_x_(0.5 * width),
       center_y_(0.5 * height) {}
 

@@ -10,8 +10,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "render/fast/simd_number.h"
 #include "shaders/formulas/lighting.h"
 
@@ -37,7 +37,7 @@ struct Rays {
 
 Rays rays_of(const View& view) {
   const CameraFrame frame = camera_frame(view.camera);
-  const double tangent = std::tan(view.camera.fov_degrees * std::numbers::pi / 360);
+  const double tangent = std::tan(view.camera.fov_degrees * kPi / 360);
   const double pixel = 2 * tangent / view.image.height;
   const Vec3d x = frame.right * pixel, y = frame.up * -pixel;
   const Vec3d corner = -frame.back - x * (view.image.width / 2.0) - y * (view.image.height / 2.0);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 #include "exporters/gltf/document.h"
 #include "exporters/image/file.h"
+#include "math/angle.h"
 #include "scene/json.h"
 #include "shaders/spaces/srgb.h"
 #include "system/overloaded.h"
@@ -15,7 +15,6 @@ namespace lumaknot::gltf {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using std::numbers::pi;
 
 std::array<double, 3> decoded(const Vec3d& encoded) {
   return {decode_srgb(encoded.x), decode_srgb(encoded.y), decode_srgb(encoded.z)};
@@ -48,15 +47,15 @@ double candela(const LightColor& color, const Falloff& f, const Vec3d& position,
                const Vec3d& target) {
   const double distance = length(target - position);
   const double d = distance > 0 ? distance : 1;
-  return pi * color.intensity / (f.constant / (d * d) + f.linear / d + f.quadratic);
+  return kPi * color.intensity / (f.constant / (d * d) + f.linear / d + f.quadratic);
 }
 
 Json spot_cone(const SpotLight& light) {
   constexpr double kWidest = 90, kMinEdge = 0.1;  // degrees
   const double outer = std::min(light.outer_degrees, kWidest);
   const double inner = std::min(light.inner_degrees, outer - kMinEdge);
-  return {{"innerConeAngle", std::max(inner, 0.0) * pi / 180},
-          {"outerConeAngle", outer * pi / 180}};
+  return {{"innerConeAngle", std::max(inner, 0.0) * kPi / 180},
+          {"outerConeAngle", outer * kPi / 180}};
 }
 
 /// A light of KHR_lights_punctual, and the matrix of its node.
@@ -75,7 +74,7 @@ PlacedLight placed(const Light& light, const Vec3d& target) {
                     gltf_matrix(axes_along({0, 1, 0}), l.position)};
           },
           [&](const DirectionalLight& l) -> PlacedLight {
-            return {source("directional", l.color, pi * l.color.intensity),
+            return {source("directional", l.color, kPi * l.color.intensity),
                     gltf_matrix(axes_along(l.direction), {})};
           },
           [&](const SpotLight& l) -> PlacedLight {
@@ -96,7 +95,7 @@ void add_node(GltfDocument& document, Json node) {
 void add_camera(GltfDocument& document, const View& view) {
   const Camera& camera = view.camera;
   const Json perspective{{"aspectRatio", double(view.image.width) / view.image.height},
-                         {"yfov", camera.fov_degrees * pi / 180},
+                         {"yfov", camera.fov_degrees * kPi / 180},
                          {"znear", near_depth(camera)}};
   document.add("cameras", {{"type", "perspective"}, {"perspective", perspective}});
   add_node(document, {{"name", "camera"},

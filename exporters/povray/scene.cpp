@@ -1,7 +1,6 @@
 #include "exporters/povray/scene.h"
 
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -10,6 +9,7 @@
 #include "exporters/povray/lights.h"
 #include "exporters/povray/text.h"
 #include "exporters/povray/texture.h"
+#include "math/angle.h"
 #include "shaders/spaces/conversions.h"
 
 namespace lumaknot::povray {
@@ -19,7 +19,7 @@ namespace {
 /// keep POV-Ray right-handed.
 std::string camera_text(const View& view) {
   const CameraFrame frame = camera_frame(view.camera);
-  const double height = 2 * std::tan(view.camera.fov_degrees * std::numbers::pi / 360);
+  const double height = 2 * std::tan(view.camera.fov_degrees * kPi / 360);
   const double width = height * view.image.width / view.image.height;
   return fmt::format(
       "camera {{ perspective\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",

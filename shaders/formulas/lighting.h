@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "math/angle.h"
 #include "scene/shot.h"
 #include "shaders/formulas/terms.h"
 #include "shaders/spaces/conversions.h"
@@ -179,8 +179,8 @@ class LightReader {
     result.position = numbers_.vector(prefix_ + "position", light.position);
     result.direction = numbers_.vector(prefix_ + "direction", normalize(light.direction));
     result.has_cone = true;
-    const double cos_inner = std::cos(light.inner_degrees * std::numbers::pi / 180);
-    const double cos_outer = std::cos(light.outer_degrees * std::numbers::pi / 180);
+    const double cos_inner = std::cos(light.inner_degrees * kPi / 180);
+    const double cos_outer = std::cos(light.outer_degrees * kPi / 180);
     result.cos_outer = numbers_.number(prefix_ + "cos_outer", cos_outer);
     result.cone_scale = numbers_.number(prefix_ + "cone_scale", 1 / (cos_inner - cos_outer));
     add_falloff(result, light.falloff);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "scene/presets.h"
 #include "study/measure/metrics.h"
 #include "validate/compare/claims.h"
@@ -63,7 +63,7 @@ std::vector<View360> views_around(const PaperScenes& scenes, int count) {
   const Vec3d from = scene.view.camera.position;
   std::vector<View360> views;
   for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * i / count;
+    const double angle = kTurn * i / count;
     const double c = std::cos(angle), s = std::sin(angle);
     scene.view.camera.position = {c * from.x - s * from.y, s * from.x + c * from.y, from.z};
     const Grid<Fragment> fragments = visible_fragments(scene);

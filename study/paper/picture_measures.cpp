@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "math/angle.h"
 #include "shaders/spaces/cielab.h"
 #include "shaders/spaces/srgb.h"
 #include "shaders/spaces/yiq.h"
@@ -138,7 +138,7 @@ double mean_hue_turn(const Image& a, const Image& b, const Marks& where) {
     const Lab<double> p = lab_of(a.pixels[i]), q = lab_of(b.pixels[i]);
     if (chroma_of(p) < kHasHue || chroma_of(q) < kHasHue) return std::nullopt;
     const double angle = std::atan2(p.a * q.b - p.b * q.a, p.a * q.a + p.b * q.b);
-    return std::abs(angle) * 180 / std::numbers::pi;
+    return std::abs(angle) * 180 / kPi;
   });
 }
 

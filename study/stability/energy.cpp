@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <tuple>
 #include <utility>
+
+#include "math/angle.h"
 
 namespace lumaknot::stability {
 
@@ -15,7 +16,7 @@ double reflected_share(const Term& term, double incidence) {
   for (int i = 0; i < kSteps; ++i) {  // n.v dv is half of d(sin^2) d(azimuth)
     const double square = (i + 0.5) / kSteps, sine = std::sqrt(square);
     for (int j = 0; j < kSteps; ++j) {
-      const double azimuth = std::numbers::pi * (j + 0.5) / kSteps;
+      const double azimuth = kPi * (j + 0.5) / kSteps;
       const Vec3d v{sine * std::cos(azimuth), sine * std::sin(azimuth), std::sqrt(1 - square)};
       sum += term({n, l, v, l.z});
     }
@@ -27,7 +28,7 @@ Energy energy_of(std::string name, const Term& term) {
   Energy energy{std::move(name)};
   double min = std::numeric_limits<double>::infinity();
   for (int degrees = 0; degrees <= 89; ++degrees) {
-    const double share = reflected_share(term, degrees * std::numbers::pi / 180);
+    const double share = reflected_share(term, degrees * kPi / 180);
     if (share > energy.max) {
       energy.max = share;
       energy.at_degrees = degrees;

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "math/angle.h"
 #include "study/stability/regions.h"
 #include "study/stability/test_scenes.h"
 
@@ -114,7 +114,7 @@ double spot_light(const Scene& scene, double degrees) {
   const LightNumbers<S> light = lighting_of<S>(scene.view, Material{}).lights.front();
   const SpotLight& spot = std::get<SpotLight>(scene.view.lights.front());
   const Vec3d axis = normalize(spot.direction), across = normalize(cross(axis, Vec3d{0, 0, 1}));
-  const double angle = degrees * std::numbers::pi / 180;
+  const double angle = degrees * kPi / 180;
   const Vec<S> to_light =
       constant_vec<S>((axis * std::cos(angle) + across * std::sin(angle)) * -5.0);
   return double(arriving<S>(light, to_light, unit(to_light)).x);

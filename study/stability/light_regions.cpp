@@ -1,6 +1,5 @@
 // The positions of lights and eyes.
 #include <algorithm>
-#include <numbers>
 
 #include "math/angle.h"
 #include "meshgen/spine.h"
@@ -199,7 +198,7 @@ double half_way_error(double angle) {
   constexpr int kWays = 24;
   double largest = 0;
   for (int i = 0; i < kWays; ++i) {
-    const double a = 2 * std::numbers::pi * i / kWays;
+    const double a = kTurn * i / kWays;
     const Vec3d v = normalize(Vec3d{std::cos(a), std::sin(a), 0.5});
     const Vec3d across = normalize(cross(v, Vec3d{0, 1, 0.3}));
     const Vec3d exact = across * std::cos(angle / 2) + v * std::sin(angle / 2);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
@@ -89,7 +89,7 @@ TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, i
   for (int i = 0; i < rings; ++i) {
     const RingFrame& frame = frames[std::size_t(i)];
     for (int j = 0; j < columns; ++j) {
-      const double theta = 2 * std::numbers::pi * j / sides;
+      const double theta = kTurn * j / sides;
       const Vec3d out = frame.normal * std::cos(theta) + frame.binormal * std::sin(theta);
       const std::size_t at = std::size_t(i * columns + j);
       mesh.positions[at] = frame.position + out * tube_radius;

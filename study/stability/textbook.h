@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "shaders/formulas/terms.h"
 
 namespace lumaknot::stability::textbook {
@@ -42,7 +42,7 @@ template <class S>
 S ggx(S n_dot_h, S alpha) {
   const S alpha2 = alpha * alpha;
   const S spread = n_dot_h * n_dot_h * (alpha2 - 1) + 1;
-  return alpha2 / (S(std::numbers::pi) * spread * spread);
+  return alpha2 / (S(kPi) * spread * spread);
 }
 
 /// pi D G F / (4 n.l n.v) n.l: Cook and Torrance's highlight with their G, GGX and F = 1, in the
@@ -52,8 +52,7 @@ S cook_torrance(const Directions<S>& d, S roughness) {
   const Vec3<S> h = normalize(d.l + d.v);
   const S n_dot_h = dot(d.n, h), n_dot_v = dot(d.n, d.v), v_dot_h = dot(d.v, h);
   const S g = std::min({S(1), 2 * n_dot_h * n_dot_v / v_dot_h, 2 * n_dot_h * d.n_dot_l / v_dot_h});
-  return S(std::numbers::pi) * ggx(n_dot_h, roughness * roughness) * g / (4 * d.n_dot_l * n_dot_v) *
-         d.n_dot_l;
+  return S(kPi) * ggx(n_dot_h, roughness * roughness) * g / (4 * d.n_dot_l * n_dot_v) * d.n_dot_l;
 }
 
 }  // namespace lumaknot::stability::textbook

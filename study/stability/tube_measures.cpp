@@ -1,8 +1,8 @@
 #include "study/stability/tube_measures.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/deviation.h"
 #include "meshgen/tube_distance.h"
 
@@ -18,8 +18,7 @@ double overlap(const KnotSpec& knot) {
   double nearest = knot.tube_radius;
   for (int i = 0; i < kRings * kSides; ++i) {
     const Vec3d x =
-        tube.at(ring_parameter(i / kSides, kRings), 2 * std::numbers::pi * (i % kSides) / kSides)
-            .position;
+        tube.at(ring_parameter(i / kSides, kRings), kTurn * (i % kSides) / kSides).position;
     const auto square = [&](const CurvePoint& c) { return dot(c.position - x, c.position - x); };
     const auto min = std::ranges::min_element(line, {}, square);
     if (square(*min) > 1.1 * nearest * nearest) continue;

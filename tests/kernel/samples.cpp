@@ -1,13 +1,12 @@
 #include "tests/kernel/samples.h"
 
-#include <numbers>
-
+#include "math/angle.h"
 #include "tests/shaders/formulas/random_surface.h"
 
 namespace lumaknot::testing {
 namespace {
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+double radians(double degrees) { return degrees * kPi / 180; }
 
 /// One of the given numbers in one row of sixteen each, else one up to `most`.
 double number_with(RandomSurface& random, std::initializer_list<double> special, double min,

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "scene/presets.h"
 
 namespace lumaknot {
@@ -64,7 +64,7 @@ TEST(Certificate, volume_of_fifty_knots_and_links_converges_at_order_2) {
       const TriangleMesh mesh = knot_mesh(knot);
       double length = 0;
       for (const Curve& line : components(knot)) length += Spine(line).length();
-      return 1 - volume(closed_mesh(knot, mesh)) / (std::numbers::pi * 0.0025 * length);
+      return 1 - volume(closed_mesh(knot, mesh)) / (kPi * 0.0025 * length);
     };
     // The next term of the error is h^4: (pi / 8)^2 / 5 of it at the coarser grid.
     EXPECT_NEAR(std::log2(error(1) / error(2)), 2, 0.05) << p << "," << q;

@@ -1,13 +1,10 @@
 /// Shared by the tests of clearance().
 #pragma once
 
-#include <numbers>
-
+#include "math/angle.h"
 #include "meshgen/clearance.h"
 
 namespace lumaknot::testing {
-
-inline constexpr double kPi = std::numbers::pi;
 
 inline KnotSpec knot_of(int p, int q, double minor_radius = 0.4, double major_radius = 1) {
   KnotSpec knot;

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "math/angle.h"
 #include "meshgen/closed_mesh.h"
 #include "meshgen/knot_mesh.h"
 #include "meshgen/measure.h"
@@ -11,8 +10,6 @@
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Vec3d face_vector(const TriangleMesh& mesh, const Triangle& t) {
   const Vec3d a = mesh.positions[t[0]];

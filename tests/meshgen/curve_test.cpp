@@ -1,17 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "math/angle.h"
 #include "meshgen/spine.h"
 #include "tests/scene/error_of.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 KnotSpec knot_of(int p, int q) {
   KnotSpec knot;

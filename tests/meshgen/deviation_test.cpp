@@ -5,16 +5,14 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "meshgen/tube_distance.h"
 #include "system/error.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A tube with the spine that it refers to.
 struct Tube {

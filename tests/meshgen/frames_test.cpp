@@ -4,18 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "math/angle.h"
 #include "tests/scene/error_of.h"
 
 namespace lumaknot {
 namespace {
 
 constexpr double kRounding = 1e-13;  // a few operations per frame; errors don't accumulate
-constexpr double kPi = std::numbers::pi;
-
 KnotSpec knot_of(int p, int q) {
   KnotSpec knot;
   knot.p = p;

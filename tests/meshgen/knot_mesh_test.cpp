@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
+#include "math/angle.h"
 #include "meshgen/closed_mesh.h"
 #include "meshgen/knot_mesh.h"
 #include "meshgen/measure.h"
@@ -29,7 +29,7 @@ ClosedMesh closed(const KnotSpec& knot) { return closed_mesh(knot, knot_mesh(kno
 double pappus_volume(const KnotSpec& knot) {
   double length = 0;
   for (const Curve& line : components(knot)) length += Spine(line).length();
-  return std::numbers::pi * knot.tube_radius * knot.tube_radius * length;
+  return kPi * knot.tube_radius * knot.tube_radius * length;
 }
 
 TEST(KnotMesh, trefoil_tube_is_closed_with_genus_one) {

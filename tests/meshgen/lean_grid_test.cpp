@@ -6,16 +6,14 @@
 
 #include <atomic>
 #include <limits>
-#include <numbers>
 
+#include "math/angle.h"
 #include "meshgen/deviation.h"
 #include "meshgen/tube_distance.h"
 #include "system/error.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Knot {
   int p, q;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 double sampled_curvature(const Curve& curve, int n) {
   double max = 0;
   for (int i = 0; i <= n; ++i) {
-    const double psi = std::numbers::pi * i / n;
+    const double psi = kPi * i / n;
     max = std::max(max, curvature(curve_point(curve, (psi - curve.meridian) / curve.q)));
   }
   return max;

@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <utility>
+
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kRadius = 0.15;
+constexpr double kRadius = 0.15;
 
 Spine spine_of(int p, int q) {
   KnotSpec knot;

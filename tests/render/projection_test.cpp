@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "math/angle.h"
 #include "tests/render/testing.h"
 
 namespace lumaknot {
@@ -62,7 +61,7 @@ TEST(Projection, field_of_view_spans_the_height_whatever_the_width) {
       const Projection projection(camera, width, 64);
       const Vec3d top = projection.ray(0.5 * width, 0), bottom = projection.ray(0.5 * width, 64);
       const double angle = std::atan(top.y) - std::atan(bottom.y);
-      EXPECT_NEAR(angle * 180 / std::numbers::pi, fov, kRounding);
+      EXPECT_NEAR(angle * 180 / kPi, fov, kRounding);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "math/angle.h"
 #include "render/rasterizer.h"
 #include "tests/render/testing.h"
 
@@ -90,7 +91,7 @@ TEST(Rasterizer, fans_about_any_point_of_the_image_draw_every_sample_exactly_onc
     const int spokes = 3 + trial % 12;
     const double start = random.between(0, 6);
     for (int i = 0; i < spokes; ++i) {  // three spokes at this radius still surround the image
-      const double angle = start + 2 * std::numbers::pi * i / spokes;
+      const double angle = start + kTurn * i / spokes;
       testing::add_vertex(mesh, seen_at(camera, kSize / 2.0 + 100 * std::cos(angle),
                                         kSize / 2.0 + 100 * std::sin(angle), random.between(1, 9)));
     }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
+#include "math/angle.h"
 #include "render/rasterizer.h"
 #include "scene/spec.h"
 
@@ -28,7 +28,7 @@ inline Vec3d world_ray(const Camera& camera, int width, int height, double x, do
   const Vec3d forward = normalize(camera.target - camera.position);
   const Vec3d right = normalize(cross(forward, camera.up));
   const Vec3d up = cross(right, forward);
-  const double half = std::tan(camera.fov_degrees / 2 * std::numbers::pi / 180);
+  const double half = std::tan(camera.fov_degrees / kTurn / 180);
   return forward + right * (half * width / height * (2 * x / width - 1)) +
          up * (half * (1 - 2 * y / height));
 }
@@ -82,7 +82,7 @@ inline TriangleMesh sphere(int rings) {
   const int around = 2 * rings;
   for (int i = 0; i <= rings; ++i) {
     for (int j = 0; j <= around; ++j) {
-      const double theta = std::numbers::pi * i / rings, phi = 2 * std::numbers::pi * j / around;
+      const double theta = kPi * i / rings, phi = kTurn * j / around;
       const Vec3d p{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                     std::cos(theta)};
       mesh.positions.push_back(p);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "shaders/spaces/yiq.h"
 
 namespace lumaknot::validate {
@@ -16,8 +16,7 @@ Rgb displayed(const Rgb& c) { return {saturate(c.r), saturate(c.g), saturate(c.b
 /// The angle between two colours' hues in the I-Q plane, degrees in [0, 180].
 double hue_angle(const Rgb& a, const Rgb& b) {
   const Yiq<double> p = yiq_from_rgb<double>(to_vec(a)), q = yiq_from_rgb<double>(to_vec(b));
-  return std::abs(std::atan2(p.i * q.q - p.q * q.i, p.i * q.i + p.q * q.q)) * 180 /
-         std::numbers::pi;
+  return std::abs(std::atan2(p.i * q.q - p.q * q.i, p.i * q.i + p.q * q.q)) * 180 / kPi;
 }
 
 }  // namespace

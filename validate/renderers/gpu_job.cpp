@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
 #include "exporters/image/baked_texture.h"
+#include "math/angle.h"
 #include "shaders/languages/emit.h"
 #include "system/atomic_file.h"
 #include "validate/renderers/job_files.h"
@@ -73,7 +73,7 @@ Matrix world_view_projection(const Scene& scene, bool is_vulkan) {
   const Camera& camera = scene.view.camera;
   const CameraFrame frame = camera_frame(camera);
   const auto [near, far] = depth_range(scene, frame);
-  const double up = 1 / std::tan(camera.fov_degrees * std::numbers::pi / 360);
+  const double up = 1 / std::tan(camera.fov_degrees * kPi / 360);
   const double right = up * scene.view.image.height / scene.view.image.width;
   const double z = is_vulkan ? far / (far - near) : (far + near) / (far - near);
   const double z0 = (is_vulkan ? 1 : 2) * -far * near / (far - near);

@@ -3,15 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "exporters/image/file.h"
+#include "math/angle.h"
 #include "tests/exporters/gltf/testing.h"
 
 namespace lumaknot::gltf {
 namespace {
 
-using std::numbers::pi;
 using ::testing::ElementsAre;
 using testing::GltfParts;
 using testing::Json;
@@ -69,7 +67,7 @@ TEST(GltfScene, the_camera_has_our_field_of_view_and_near_depth) {
   scene.view.image = {.width = 640, .height = 480};
   const Json camera = exported(scene).json["cameras"][0];
   EXPECT_EQ(camera["type"], "perspective");
-  EXPECT_NEAR(camera["perspective"]["yfov"].get<double>(), pi / 3, kRounding);
+  EXPECT_NEAR(camera["perspective"]["yfov"].get<double>(), kPi / 3, kRounding);
   EXPECT_NEAR(camera["perspective"]["aspectRatio"].get<double>(), 4.0 / 3, kRounding);
   EXPECT_NEAR(camera["perspective"]["znear"].get<double>(), 0.005, kRounding);  // |(0,-4,3)| = 5
 }
@@ -80,14 +78,14 @@ TEST(GltfScene, a_quadratic_falloff_is_matched_at_every_distance) {
     const Json json = exported_light(light, target);
     EXPECT_EQ(json["type"], "point");
     // baseColor / pi * I / d^2 = baseColor * 3 / (0.5 d^2)
-    EXPECT_NEAR(json["intensity"].get<double>(), pi * 6, kRounding);
+    EXPECT_NEAR(json["intensity"].get<double>(), kPi * 6, kRounding);
   }
 }
 
 TEST(GltfScene, another_falloff_is_matched_at_the_target) {
   const Light light = PointLight{{0, 0, 2}, {{1, 1, 1}, 1}, {1, 0.5, 0.25}};
   // At d = 2 ours is 1 / (1 + 1 + 1); glTF's is I / 4 / pi.
-  EXPECT_NEAR(exported_light(light)["intensity"].get<double>(), 4 * pi / 3, kRounding);
+  EXPECT_NEAR(exported_light(light)["intensity"].get<double>(), 4 * kPi / 3, kRounding);
 }
 
 TEST(GltfScene, a_directional_light_has_lux_and_shines_along_its_node) {
@@ -96,7 +94,7 @@ TEST(GltfScene, a_directional_light_has_lux_and_shines_along_its_node) {
   scene.view.lights = {DirectionalLight{direction, {{1, 1, 1}, 0.5}}};
   const Json light = exported(scene).json["extensions"]["KHR_lights_punctual"]["lights"][0];
   EXPECT_EQ(light["type"], "directional");
-  EXPECT_NEAR(light["intensity"].get<double>(), pi / 2, kRounding);
+  EXPECT_NEAR(light["intensity"].get<double>(), kPi / 2, kRounding);
   expect_near(placed(node_of(scene, "light0"), {0, 0, -1}, 0), direction / 3.0);
 }
 
@@ -106,9 +104,9 @@ TEST(GltfScene, a_spot_light_has_half_angles_in_radians_and_its_place) {
   scene.view.lights = {spot};
   const Json light = exported(scene).json["extensions"]["KHR_lights_punctual"]["lights"][0];
   EXPECT_EQ(light["type"], "spot");
-  EXPECT_NEAR(light["intensity"].get<double>(), pi, kRounding);
-  EXPECT_NEAR(light["spot"]["innerConeAngle"].get<double>(), pi / 12, kRounding);
-  EXPECT_NEAR(light["spot"]["outerConeAngle"].get<double>(), pi / 6, kRounding);
+  EXPECT_NEAR(light["intensity"].get<double>(), kPi, kRounding);
+  EXPECT_NEAR(light["spot"]["innerConeAngle"].get<double>(), kPi / 12, kRounding);
+  EXPECT_NEAR(light["spot"]["outerConeAngle"].get<double>(), kPi / 6, kRounding);
   const Json node = node_of(scene, "light0");
   expect_near(placed(node, {0, 0, 0}), spot.position);
   expect_near(placed(node, {0, 0, -1}, 0), {0, 0, -1});
@@ -116,7 +114,7 @@ TEST(GltfScene, a_spot_light_has_half_angles_in_radians_and_its_place) {
 
 TEST(GltfScene, cones_beyond_the_limit_of_glTF_become_its_widest) {
   const Json cone = exported_light(SpotLight{{}, {0, 0, -1}, 100, 170, {}, {}})["spot"];
-  EXPECT_NEAR(cone["outerConeAngle"].get<double>(), pi / 2, kRounding);
+  EXPECT_NEAR(cone["outerConeAngle"].get<double>(), kPi / 2, kRounding);
   EXPECT_LT(cone["innerConeAngle"], cone["outerConeAngle"]);
 }
 

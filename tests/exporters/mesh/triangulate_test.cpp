@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+
+#include "math/angle.h"
 
 namespace lumaknot {
 namespace {
@@ -38,7 +39,7 @@ std::vector<Vec3d> star(int corners, unsigned seed) {
   std::uniform_real_distribution<double> radius(0.1, 1);
   std::vector<Vec3d> polygon;
   for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / corners, r = radius(random);
+    const double angle = kTurn * i / corners, r = radius(random);
     polygon.push_back({r * std::cos(angle), r * std::sin(angle), 0});
   }
   return polygon;

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "exporters/image/file.h"
+#include "math/angle.h"
 #include "shaders/formulas/lighting.h"
 #include "tests/exporters/povray/testing.h"
 
@@ -44,7 +43,7 @@ TEST(PovScene, camera_vectors_are_orthogonal_right_handed_and_span_the_image) {
   constexpr double kRounding = 1e-14;  // numbers are printed so that they read back exactly
   EXPECT_EQ(camera_vector(text, "location"), scene.view.camera.position);
   EXPECT_NEAR(length(direction), 1, kRounding);
-  EXPECT_NEAR(length(up), 2 * std::tan(25 * std::numbers::pi / 180), kRounding);
+  EXPECT_NEAR(length(up), 2 * std::tan(25 * kPi / 180), kRounding);
   EXPECT_NEAR(length(right), 1.5 * length(up), kRounding);
   EXPECT_NEAR(dot(direction, right), 0, kRounding);
   EXPECT_NEAR(dot(direction, up), 0, kRounding);

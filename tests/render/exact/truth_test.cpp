@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "math/angle.h"
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
@@ -165,9 +166,9 @@ TEST(Truth, of_a_ring_covers_the_area_of_an_annulus) {
   }
   EXPECT_LE(error, options.tolerance);
   const double middle = std::atan2(1.4, 4), spread = std::asin(0.25 / std::hypot(1.4, 4));
-  const double focal = 20 / std::tan(std::numbers::pi / 6);
+  const double focal = 20 / std::tan(kPi / 6);
   const double outer = focal * std::tan(middle + spread), inner = focal * std::tan(middle - spread);
-  const double area = std::numbers::pi * (outer * outer - inner * inner);
+  const double area = kPi * (outer * outer - inner * inner);
   // Pixels err either way: three standard deviations of their estimated errors' sum.
   EXPECT_NEAR(covered, area, 3 * std::sqrt(noise));
   EXPECT_LT(std::sqrt(noise), 0.1);

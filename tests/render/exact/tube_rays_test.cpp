@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "math/angle.h"
 #include "tests/render/exact/oracle.h"
 #include "tests/render/testing.h"
 
@@ -33,7 +34,7 @@ double min_gap(const std::vector<TubeHit>& hits) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double step = std::abs(hits[i].t - hits[j].t);
-      if (hits[i].curve == hits[j].curve) gap = std::min({gap, step, 2 * std::numbers::pi - step});
+      if (hits[i].curve == hits[j].curve) gap = std::min({gap, step, kTurn - step});
     }
   }
   return gap;
@@ -62,7 +63,7 @@ void expect_all_hits_found(const KnotSpec& knot, int rays) {
       changes += changes_of_sign(curve, knot.tube_radius, ray, kSteps);
     }
     // Two closer than the steps may change the sign twice unseen.
-    if (min_gap(found.hits) > 2 * 2 * std::numbers::pi / kSteps) {
+    if (min_gap(found.hits) > 2 * kTurn / kSteps) {
       EXPECT_EQ(int(found.hits.size()), changes);
     } else {
       EXPECT_GE(int(found.hits.size()), changes);

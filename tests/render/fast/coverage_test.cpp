@@ -2,6 +2,7 @@
 // snaps them.
 #include <gtest/gtest.h>
 
+#include "math/angle.h"
 #include "render/projection.h"
 #include "tests/render/fast/testing.h"
 
@@ -17,8 +18,8 @@ constexpr int kSize = 128;
 /// The field of view whose tangent of a half is 1/2 to the bit, so that a pixel is 1/128 at depth
 /// one.
 double exact_field() {
-  double degrees = 2 * std::atan(0.5) * 180 / std::numbers::pi - 1e-13;
-  while (std::tan(degrees * std::numbers::pi / 360) < 0.5) degrees = std::nextafter(degrees, 54);
+  double degrees = 2 * std::atan(0.5) * 180 / kPi - 1e-13;
+  while (std::tan(degrees * kPi / 360) < 0.5) degrees = std::nextafter(degrees, 54);
   return degrees;
 }
 

@@ -1,13 +1,12 @@
 // The highlights against their papers, written with angles. Phong's: phong_terms_test.cpp.
 #include <gtest/gtest.h>
 
+#include "math/angle.h"
 #include "tests/shaders/formulas/random_surface.h"
 #include "tests/shaders/formulas/terms_at.h"
 
 namespace lumaknot {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Material blinn(double shininess) {
   Material m;

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "shaders/formulas/lighting.h"
 
 namespace lumaknot {
-
-inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// The unit vector `theta` degrees away from +z, at the azimuth `phi`.
 inline Vec3d at_angles(double theta, double phi = 0) {

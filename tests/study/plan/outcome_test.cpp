@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "exporters/image/file.h"
+#include "math/angle.h"
 #include "render/fast/renderer.h"
 #include "scene/json.h"
 #include "system/atomic_file.h"
@@ -54,7 +54,7 @@ double depth_of_way(const KnotSpec& knot, const Vec3d& from, const Vec3d& to) {
   double nearest = knot.tube_radius;
   for (const Curve& line : centre_lines(knot)) {
     for (int i = 0; i < kPoints; ++i) {
-      const Vec3d point = curve_point(line, 2 * std::numbers::pi * i / kPoints).position;
+      const Vec3d point = curve_point(line, kTurn * i / kPoints).position;
       const double along = std::clamp(dot(point - from, method) / dot(method, method), 0.0, 1.0);
       nearest = std::min(nearest, length(from + method * along - point));
     }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "system/error.h"
 #include "tests/study/plan/testing.h"
 
@@ -154,7 +154,7 @@ double distance_to_nothing(const exact::ExactPixels& pixels, int x, int y, doubl
   constexpr int kRadii = 12, kAngles = 32;
   for (int i = 1; i <= kRadii; ++i) {
     for (int k = 0; k < kAngles; ++k) {
-      const double r = max * i / kRadii, a = 2 * std::numbers::pi * k / kAngles;
+      const double r = max * i / kRadii, a = kTurn * k / kAngles;
       const double u = x + 0.5 + r * std::cos(a), v = y + 0.5 + r * std::sin(a);
       if (!pixels.at(u, v).fragment.covered()) return r;
     }
