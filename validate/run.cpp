@@ -152,11 +152,11 @@ Validation validate(const ValidationJob& job,
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
-      RendererResult result = judge_all(*ours_drawn.get(), std::move(rendering));
+      RendererResult judged = judge_all(*ours_drawn.get(), std::move(rendering));
       const std::lock_guard lock(telling);
       if (on_message)
-        on_message(fmt::format("{}: {:.1f} s", renderer->name(), result.rendering.seconds));
-      return result;
+        on_message(fmt::format("{}: {:.1f} s", renderer->name(), judged.rendering.seconds));
+      return judged;
     }));
   }
 
