@@ -118,21 +118,22 @@ void visit_fields(V& v, Material& m) {
   v.color("ambient_color", m.ambient_color, "of the surface in ambient light");
   v.color("diffuse_color", m.diffuse_color, "of the surface's diffuse term");
   v.color("specular_color", m.specular_color, "of the highlights");
-  v.color("emissive", m.emissive, "what the surface sends out by itself");
+  v.color("emissive", m.emissive, "the light that the surface emits");
   v.number("luma_offset", m.luma_offset, {.min = -kBrightest, .max = kBrightest},
            "added to the lit brightness; zero in space rgb");
   v.choice("clamp", m.clamp, kClampNames, "clamps of the paper's Table 1, or none");
-  v.choice("gamut", m.gamut, kGamutNames, "what becomes of colours outside [0, 1]");
-  v.choice("normal", m.normal, kNormalNames, "renormalised a pixel, or as interpolated");
+  v.choice("gamut", m.gamut, kGamutNames, "treatment of colours outside [0, 1]");
+  v.choice("normal", m.normal, kNormalNames, "renormalised per pixel, or as interpolated");
   v.choice("highlights", m.highlights, kHighlightNames, "gated: none where n.l <= 0");
-  v.choice("rate", m.rate, kFrequencyNames, "light computed a pixel, or a vertex and interpolated");
+  v.choice("rate", m.rate, kFrequencyNames,
+           "light computed per pixel, or per vertex and interpolated");
 }
 
 template <class V>
 void visit_fields(V& v, ImageSpec& i) {
   v.integer("width", i.width, {1, 65'536}, "pixels");
   v.integer("height", i.height, {1, 65'536}, "pixels");
-  v.integer("samples", i.samples, {1, 64}, "n for n x n samples a pixel");
+  v.integer("samples", i.samples, {1, 64}, "n for n x n samples per pixel");
 }
 
 template <class V>
@@ -143,7 +144,7 @@ void visit_fields(V& v, SceneSpec& s) {
   v.list("lights", s.view.lights, kMaxLights, "the lamps");
   v.number("ambient", s.view.ambient, kBrightness, "ambient light");
   v.color("ambient_color", s.view.ambient_color, "of the ambient light, r'g'b'");
-  v.object("material", s.view.material, "how the surface answers the light");
+  v.object("material", s.view.material, "how the surface reflects the light");
   v.object("image", s.view.image, "the picture's size and samples");
 }
 

@@ -85,7 +85,7 @@ Shortfalls missing_terms(const View& view, const Shot& shot) {
     const Shortfalls of_light = std::visit(LightShortfalls(i), view.lights[i]);
     list.insert(list.end(), of_light.begin(), of_light.end());
   }
-  add(list, shot.material.rate == ShadingFrequency::kVertex, "compute light a vertex",
+  add(list, shot.material.rate == ShadingFrequency::kVertex, "compute light per vertex",
       "material.rate \"pixel\"");
   return list;
 }

@@ -91,7 +91,7 @@ int frames_for(double seconds, const FrameTimes& last) {
 
 FrameTimes times_of(const measure::PeerTimes& peer) {
   FrameTimes times;
-  if (peer.milliseconds.size() != times.size()) throw std::runtime_error("told too few times");
+  if (peer.milliseconds.size() != times.size()) throw std::runtime_error("reported too few times");
   std::ranges::copy(peer.milliseconds, times.begin());
   return times;
 }

@@ -15,8 +15,8 @@ struct Group {
   const char *title, *style;
 };
 
-constexpr std::array<Group, 5> kGroups{{{"float, light a pixel", "pt 7 ps 0.9 lc rgb '#3f7f93'"},
-                                        {"float, light a vertex", "pt 9 ps 1.0 lc rgb '#d97b29'"},
+constexpr std::array<Group, 5> kGroups{{{"float, light per pixel", "pt 7 ps 0.9 lc rgb '#3f7f93'"},
+                                        {"float, light per vertex", "pt 9 ps 1.0 lc rgb '#d97b29'"},
                                         {"double", "pt 5 ps 0.9 lc rgb '#7a5195'"},
                                         {"half (emulated)", "pt 6 ps 1.0 lc rgb '#8c96a3'"},
                                         {"other programs", "pt 13 ps 1.3 lc rgb '#2b2b2b'"}}};

@@ -111,7 +111,7 @@ PeerTimes PeerRun::run(int frames) const {
     for (const Json& draw : json.at("draws")) times.milliseconds.push_back(draw.at("ms"));
     return times;
   } catch (const Json::exception&) {
-    throw std::runtime_error("told no times: " + ended.log.substr(0, 200));
+    throw std::runtime_error("reported no times: " + ended.log.substr(0, 200));
   }
 }
 

@@ -102,7 +102,7 @@ PaperClaim no_worse_claim(const LookPictures& front) {
           "With the light in front the proposed model is no worse than the classical one.",
           "Front pictures: how far CIELAB hues turn from the texture's, and how many pixels have a "
           "colour that a display cuts off. No worse: no more than Phong's, to one degree and one "
-          "percent. Which picture looks better no number tells.",
+          "percent. No number says which picture looks better.",
           {at_most("mean turn of the hue, YIQ", turn(front.yiq), turn(front.phong) + 1, "degrees"),
            note("mean turn of the hue, Phong", turn(front.phong), "degrees"),
            at_most("pixels cut off, YIQ", cut(front.yiq), cut(front.phong) + 1, "%"),
@@ -118,7 +118,7 @@ PaperClaim phong_back_claim(const LookPictures& back) {
       "With the light at the back, Phong generates grey shades.",
       "Back picture as displayed: CIELAB chroma C* and saturation C*/L* where n . L <= 0, and "
       "saturation where L_S is at least 0.1, each as a share of the texture's there. Grey: less "
-      "than half. Dark colours have little chroma without being grey; their saturation tells.",
+      "than half. Dark colours have little chroma without being grey; their saturation shows it.",
       {at_most("chroma in the shadow",
                percent_of(mean_chroma(phong, shadow), mean_chroma(texture, shadow)), kHalf, "%"),
        at_most("saturation in the shadow",

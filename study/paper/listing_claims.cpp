@@ -156,7 +156,7 @@ PaperClaim normal_claim(const ListingPictures& p) {
       kSection,
       "The interpolated NormalWorld is the surface's unit normal.",
       "Eq. 6-8 with the normal as interpolated between the 768 x 40 grid's vertices against the "
-      "normal renormalised a pixel.",
+      "normal renormalised per pixel.",
       same_picture(change_between(p.equations, p.normal)),
       ""};
 }

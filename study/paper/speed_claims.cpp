@@ -144,7 +144,7 @@ PaperClaim slower_claim(std::span<const bench::RateRow> rows) {
       "slower",
       kSpeedSection,
       "YIQ-based lighting is slower in all instances than classical lighting.",
-      "Rows of this machine's table: frames a second that Table 1's listing loses, from pairs of "
+      "Rows of this machine's table: frames per second that Table 1's listing loses, from pairs of "
       "neighbouring frames. Slower or faster: by more than half a percent, which is what costs "
       "vary by from run to run, with the 95 % interval of the pairs' median and with each round's. "
       "Where rows are neither, a faster one alone decides.",
@@ -196,7 +196,7 @@ PaperClaim real_time_claim(std::span<const bench::RateRow> rows) {
       kSpeedSection,
       "YIQ-based lighting can be used in real time even on a low-end computer.",
       "Frames of Figure 2 a second by Table 1's listing, without any GPU, on "
-      "one thread, one sample a pixel. Real time: at least 30; the paper's Atom gave 35 "
+      "one thread, one sample per pixel. Real time: at least 30; the paper's Atom gave 35 "
       "at 512 x 512.",
       {},
       ""};

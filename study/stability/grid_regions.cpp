@@ -29,7 +29,7 @@ Region tube_clearance() {
   region.reason =
       "beyond the clearance, half of the least distance of two strands or the least radius of "
       "curvature, the surface passes through itself";
-  region.remedy = "keep the radius below the clearance, which `lumaknot mesh --measure` tells";
+  region.remedy = "keep the radius below the clearance, which `lumaknot mesh --measure` reports";
   region.sweep = {"tube radius, R = 1, w = 0.4", 0.05, 0.45};
   region.measured = "how deep the tube reaches into itself, share of its radius";
   region.limit = 0.01;
@@ -69,7 +69,8 @@ Region strands_touch() {
   region.group = "Tubes and grids";
   region.method = "one tube radius, 0.1, for every (2,q), q to 100";
   region.reason = "strands that wind more often lie nearer to each other, as 1 / q";
-  region.remedy = "a radius below the knot's own clearance, which `lumaknot mesh --measure` tells";
+  region.remedy =
+      "a radius below the knot's own clearance, which `lumaknot mesh --measure` reports";
   region.sweep = {"windings q of the (2,q) knot or link", 1, 100, false, true};
   region.measured = "tube radius / clearance";
   region.limit = 1;
@@ -247,7 +248,7 @@ Region light_at_vertices() {
   region.reason =
       "a highlight that lies between vertices is lost, one on a vertex is smeared over "
       "its triangles";
-  region.remedy = "light a pixel (material.rate \"pixel\")";
+  region.remedy = "light per pixel (material.rate \"pixel\")";
   return region;
 }
 

@@ -236,12 +236,12 @@ Region shininess_sampling() {
   Region region;
   region.name = "shininess-sampling";
   region.group = "Highlights";
-  region.method = "one sample a pixel of a small highlight";
+  region.method = "one sample per pixel of a small highlight";
   region.reason =
       "a highlight some sqrt(2 / k) radians wide falls between the samples: it "
       "flickers as things move";
   region.remedy =
-      "more samples a pixel (image.samples), or a lower shininess where a pixel spans "
+      "more samples per pixel (image.samples), or a lower shininess where a pixel spans "
       "much of the surface";
   region.sweep = {"shininess k", 1, 1e6, true};
   region.measured = "error of the picture's mean highlight, 1 sample against 8 x 8, share of it";

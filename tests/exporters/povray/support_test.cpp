@@ -97,7 +97,7 @@ TEST(PovShortfall, exponent_0_is_missing) {
 TEST(PovShortfall, light_at_the_vertices_is_missing_where_there_is_light) {
   Material m;
   m.rate = ShadingFrequency::kVertex;
-  EXPECT_EQ(missing(m), "POV-Ray can't compute light a vertex; nearest: material.rate \"pixel\"");
+  EXPECT_EQ(missing(m), "POV-Ray can't compute light per vertex; nearest: material.rate \"pixel\"");
   EXPECT_EQ(pov_missing_term({}, {"s", Stage::kTexture, m}), std::nullopt);
   m.diffuse = m.specular = 0;
   EXPECT_EQ(missing(m), std::nullopt);
