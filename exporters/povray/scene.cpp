@@ -37,7 +37,7 @@ bool lit_from_both_sides(const View& view, const Shot& shot) {
 std::string lights_text(const View& view, const Shot& shot) {
   if (!needs_diffuse(view, shot) && !needs_specular(view, shot)) return {};
   const Vec3d tint =
-      shot.material.space == Space::kRgb ? pov_highlight(view, shot)->tint : Vec3d{1, 1, 1};
+      shot.material.space == Space::kRgb ? drawn_highlight(view, shot).tint : Vec3d{1, 1, 1};
   return pov_lights(view, shot.material.space, tint);
 }
 

@@ -40,7 +40,7 @@ std::optional<std::string> sentence(const Shortfalls& list) {
 std::optional<std::string> with_nearest(const Shortfalls& list) {
   std::vector<std::string_view> nearest;
   for (const Shortfall& s : list) nearest.push_back(s.nearest);
-  const auto text = sentence(list);
+  auto text = sentence(list);
   if (!text) return text;
   return fmt::format("{}; nearest: {}", *text, fmt::join(nearest, ", "));
 }

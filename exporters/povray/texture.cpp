@@ -71,7 +71,7 @@ Vec3d diffuse_of(const Vec3d& weight, const Vec3d& tint) {
 bool tints_an_image(const View& view, const Texture& texture, const Shot& shot) {
   if (shot.stage != Stage::kFinal || shot.material.space != Space::kRgb) return false;
   const Lighting<double> lighting = lighting_of<double>(view, shot.material);
-  const Vec3d diffuse = diffuse_of(lighting.diffuse, pov_highlight(view, shot)->tint);
+  const Vec3d diffuse = diffuse_of(lighting.diffuse, drawn_highlight(view, shot).tint);
   return !is_grey(diffuse) && std::holds_alternative<TextureImage>(texture);
 }
 
@@ -125,7 +125,7 @@ std::vector<Layer> layers_of(const View& view, const Texture& texture, const Sho
   if (shot.material.space != Space::kRgb) {
     return luma_layers(lighting, shot.material.space, texture, prefix);
   }
-  return rgb_layers(lighting, *pov_highlight(view, shot), texture, prefix);
+  return rgb_layers(lighting, drawn_highlight(view, shot), texture, prefix);
 }
 
 std::string highlight_text(double weight, const Material& material) {
@@ -182,6 +182,10 @@ std::optional<PovHighlight> pov_highlight(const View& view, const Shot& shot) {
     return std::nullopt;
   }
   return PovHighlight{s / largest_component(s), largest_component(s)};
+}
+
+PovHighlight drawn_highlight(const View& view, const Shot& shot) {
+  return *pov_highlight(view, shot);  // NOLINT(bugprone-unchecked-optional-access): its condition
 }
 
 PovTexture pov_texture(const View& view, const Texture& texture, const Shot& shot,

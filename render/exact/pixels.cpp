@@ -39,7 +39,8 @@ class AreaPixel {
   AreaPixel(const SampleAt& sample, double x, double y, double tolerance) : sample_(sample) {
     Cell pixel{x, y, 1, {}, 0};
     for (std::size_t k = 0; k < 9; ++k) {
-      pixel.samples[k] = sample(x + 0.5 * double(k % 3), y + 0.5 * double(k / 3));
+      const std::size_t column = k % 3, row = k / 3;
+      pixel.samples[k] = sample(x + 0.5 * double(column), y + 0.5 * double(row));
     }
     quarter(pixel);
     while (error() > tolerance && cells_.size() < kMaxCells) {
