@@ -13,7 +13,6 @@ namespace {
 
 using testing::clearance_of;
 using testing::knot_of;
-using testing::kPi;
 
 // An independent search by brute force: local minima of the distance on a grid of parameters. Pairs
 // next to the diagonal have its zero as a neighbour, so they are not minima.

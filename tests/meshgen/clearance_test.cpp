@@ -14,7 +14,6 @@ namespace {
 
 using testing::clearance_of;
 using testing::knot_of;
-using testing::kPi;
 
 CurvePoint point_a(const std::vector<Curve>& link, const Clearance& c) {
   return curve_point(link[std::size_t(c.component_a)], c.t_a);
