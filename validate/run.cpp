@@ -149,6 +149,7 @@ Validation validate(const ValidationJob& job,
   const std::shared_future<const Ours*> ours_drawn = promise.get_future().share();
   std::mutex telling;
   std::vector<std::future<RendererResult>> tasks;
+  tasks.reserve(renderers.size());
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);

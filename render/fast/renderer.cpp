@@ -47,7 +47,7 @@ void check(const Scene& scene, const Options& options) {
 }
 
 TileMemory tile_memory(std::size_t samples) {
-  constexpr std::size_t kPlane = kTile * kTile;
+  constexpr std::size_t kPlane = std::size_t(kTile) * kTile;
   TileMemory memory;
   memory.nearest.resize(2 * (samples * kPlane + kPadding));
   memory.colors.resize(kPlane * 4);

@@ -41,9 +41,8 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::work(int worker) {
   for (int k = 0; k < size(); ++k) {
     Part& part = parts_[std::size_t((worker + k) % size())];
-    for (int i; (i = part.next.fetch_add(1, std::memory_order_relaxed)) < part.end;) {
-      (*task_)(i, worker);
-    }
+    const auto next = [&part] { return part.next.fetch_add(1, std::memory_order_relaxed); };
+    for (int i = next(); i < part.end; i = next()) (*task_)(i, worker);
   }
 }
 
@@ -60,9 +59,8 @@ void ThreadPool::run(int count, const std::function<void(int, int)>& task) {
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
   work(0);
-  for (int idle; (idle = idle_.load(std::memory_order_acquire)) < size() - 1;) {
-    wait_while(idle_, idle);
-  }
+  const auto idle = [this] { return idle_.load(std::memory_order_acquire); };
+  for (int seen = idle(); seen < size() - 1; seen = idle()) wait_while(idle_, seen);
 }
 
 }  // namespace lumaknot::fast

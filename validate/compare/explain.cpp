@@ -129,8 +129,9 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
   Grid<char> result(fragments.width, fragments.height);
   oneapi::tbb::parallel_for(0, fragments.height, [&](int y) {
     for (int x = 0; x < fragments.width; ++x) {
-      result.at(x, y) =
+      const bool at_edge =
           fragments.at(x, y).covered() && at_silhouette(scene, fragments, pixel_width, x, y);
+      result.at(x, y) = at_edge ? 1 : 0;
     }
   });
   return result;

@@ -70,6 +70,7 @@ std::vector<RenderedShot> drawn_frames(const ProcessResult& ended, const fs::pat
   const std::string bad = bad_end(ended);
   if (!bad.empty()) return undrawn(frames, RenderedShot::Status::kFailed, bad);
   std::vector<RenderedShot> drawn;
+  drawn.reserve(frames);
   for (std::size_t i = 0; i < frames; ++i) {
     drawn.push_back(drawn_image(folder / frame_file(i, frames), view));
   }
@@ -85,17 +86,16 @@ Image term_image(const std::vector<RenderedShot>& frames, std::optional<std::siz
   return image;
 }
 
-/// A shot that POV-Ray can't draw by itself, put together from what it drew.
-RenderedShot composed(const Scene& scene, const Shot& shot, const PovShot& planned,
-                      const std::vector<RenderedShot>& frames) {
-  const PovParts& parts = *planned.parts;
+/// A shot that POV-Ray can't draw by itself, for the reason `why`, put together from `parts`, which
+/// it drew.
+RenderedShot composed(const Scene& scene, const Shot& shot, const PovParts& parts,
+                      const std::string& why, const std::vector<RenderedShot>& frames) {
   for (const auto index : {std::optional(parts.texture), parts.diffuse, parts.specular}) {
     if (index && frames[*index].status != RenderedShot::Status::kDrawn) return frames[*index];
   }
   RenderedShot result;
   result.status = RenderedShot::Status::kDrawn;
-  result.note =
-      planned.why + ": composed from the texture, diffuse and specular images that it drew";
+  result.note = why + ": composed from the texture, diffuse and specular images that it drew";
   Shot nearest = shot;
   nearest.material.normal = NormalUse::kUnit;
   if (shot.material.normal != NormalUse::kUnit) {
@@ -113,7 +113,7 @@ RenderedShot composed(const Scene& scene, const Shot& shot, const PovShot& plann
 RenderedShot shown(const Scene& scene, const Shot& shot, const PovShot& planned,
                    const std::vector<RenderedShot>& frames) {
   if (planned.frame) return frames[*planned.frame];
-  if (planned.parts) return composed(scene, shot, planned, frames);
+  if (planned.parts) return composed(scene, shot, *planned.parts, planned.why, frames);
   return undrawn(1, RenderedShot::Status::kSkipped, planned.why).front();
 }
 

@@ -74,7 +74,9 @@ struct Nearest<xsimd::avx512bw> {
     return Ints<Lanes>(
         _mm512_permutex2var_epi32(_mm512_load_si512(packet), even, _mm512_load_si512(packet + 16)));
   }
-  static std::int32_t seen(const std::int32_t* packet, int lane) { return packet[2 * lane]; }
+  static std::int32_t seen(const std::int32_t* packet, int lane) {
+    return packet[2 * std::ptrdiff_t(lane)];
+  }
 
  private:
   /// Where depths are equal the later triangle stays, whatever its number.
