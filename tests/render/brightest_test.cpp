@@ -21,8 +21,8 @@ TEST(BrightestLight, stays_finite_in_float_images_in_every_space_and_model) {
   for (std::size_t space = 0; space < kSpaceNames.size(); ++space) {
     for (std::size_t model = 0; model < kModelNames.size(); ++model) {
       Scene scene = knot_scene(40, 60, 8);
-      scene.view.material = {.model = Model(model), .space = Space(space)};
-      scene.view.material.parameters["roughness"] = 0.3;
+      scene.view.material.model = Model(model);
+      scene.view.material.space = Space(space);
       scene.view.lights = {PointLight{}};
       std::get<PointLight>(scene.view.lights[0]).color.intensity = kBrightest;
       scene.view.ambient = scene.view.material.diffuse = scene.view.material.specular = kBrightest;

@@ -26,6 +26,7 @@ inline constexpr Dialect kCppDialect{.scalar_type = "const double",
                                      .component = {"{0}.x", "{0}.y", "{0}.z"},
                                      .saturate = "clamp({0}, 0.0, 1.0)",
                                      .vector_saturate = "clamp({0}, 0.0, 1.0)",
+                                     .helpers = {},
                                      .reserved = {}};
 
 /// GLSL features that C++ lacks.
