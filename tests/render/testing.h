@@ -28,7 +28,7 @@ inline Vec3d world_ray(const Camera& camera, int width, int height, double x, do
   const Vec3d forward = normalize(camera.target - camera.position);
   const Vec3d right = normalize(cross(forward, camera.up));
   const Vec3d up = cross(right, forward);
-  const double half = std::tan(camera.fov_degrees / kTurn / 180);
+  const double half = std::tan(camera.fov_degrees / 2 * kPi / 180);
   return forward + right * (half * width / height * (2 * x / width - 1)) +
          up * (half * (1 - 2 * y / height));
 }
