@@ -46,6 +46,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const VulkanDevice& vulkan,
                                               const std::vector<Slot>& slots) {
   constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  bindings.reserve(slots.size());
   for (const Slot& slot : slots) {
     bindings.emplace_back(std::uint32_t(slot.binding), slot.type, 1, kStages);
   }

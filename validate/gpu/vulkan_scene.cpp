@@ -124,6 +124,7 @@ Target make_target(const VulkanDevice& vulkan, const Job& job) {
 
 std::vector<SampledImage> upload_textures(const VulkanDevice& vulkan, const Job& job) {
   std::vector<SampledImage> images;
+  images.reserve(job.textures.size());
   for (std::size_t i = 0; i < job.textures.size(); ++i) {
     images.push_back(upload_texture(vulkan, job.textures[i], fmt::format("textures[{}]", i)));
   }
