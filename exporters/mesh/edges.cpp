@@ -109,9 +109,8 @@ void check_indices(const Polygons& polygons, std::string_view name) {
       if (index < size || (index == kNoIndex && what != "vertex")) return;
       const std::uint64_t base = polygons.first_index;
       throw file_error(name, polygons.unit, polygons.places[polygon],
-                       fmt::format("{} {} does not exist, the file has {}, from {} on; export the "
-                                   "mesh again",
-                                   what, index + base, size, base));
+                       fmt::format("{} {} does not exist, the file has {}, from {} on; {}", what,
+                                   index + base, size, base, kExportAgain));
     };
     for (std::uint32_t i = 0; i < polygons.sizes[polygon]; ++i, ++at) {
       const PolygonCorner& corner = polygons.corners[at];

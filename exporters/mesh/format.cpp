@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exporters/mesh/list.h"
+#include "exporters/text/scanner.h"
 #include "system/error.h"
 
 namespace lumaknot {
@@ -47,7 +48,7 @@ std::string mesh_file_name(const std::filesystem::path& path, std::string_view l
 std::string mesh_file_bytes(const std::filesystem::path& path, std::string_view label) {
   std::string bytes = read_file(path, label);
   if (!bytes.empty()) return bytes;
-  throw Error(fmt::format("{} is empty; export the mesh again", mesh_file_name(path, label)));
+  throw Error(fmt::format("{} is empty; {}", mesh_file_name(path, label), kExportAgain));
 }
 
 }  // namespace lumaknot

@@ -81,7 +81,7 @@ CornerTriangles cut(const Polygons& polygons, std::string_view name) {
     }
   });
   if (triangles.empty()) {
-    throw Error(fmt::format("{} has no faces, only points and lines; export the mesh again", name));
+    throw Error(fmt::format("{} has no faces, only points and lines; {}", name, kExportAgain));
   }
   return triangles;
 }

@@ -44,8 +44,7 @@ class ObjReader {
     if (second.empty()) return {u, 0};
     const auto v = number_of(second);
     if (!v || !is_usable(*v)) {
-      text_.fail(
-          fmt::format("{} is not a finite number; export the mesh again", in_quotes(second)));
+      text_.fail(fmt::format("{} is not a finite number; {}", in_quotes(second), kExportAgain));
     }
     return {u, *v};
   }
@@ -58,7 +57,7 @@ class ObjReader {
     }
     const std::size_t size = polygons_.corners.size() - before;
     if (size < 3) {
-      text_.fail(fmt::format("a face of {} corners, fewer than 3; export the mesh again", size));
+      text_.fail(fmt::format("a face of {} corners, fewer than 3; {}", size, kExportAgain));
     }
     polygons_.sizes.push_back(std::uint32_t(size));
     polygons_.places.push_back(line);
@@ -87,13 +86,13 @@ class ObjReader {
     const auto number = integer_of(word);
     if (!number) {
       text_.fail(
-          fmt::format("{} is not a valid {} index; export the mesh again", in_quotes(word), what));
+          fmt::format("{} is not a valid {} index; {}", in_quotes(word), what, kExportAgain));
     }
     const bool is_there = *number > 0 ? *number < std::int64_t(kNoIndex)
                                       : *number < 0 && *number >= -std::int64_t(size);
     if (!is_there) {
-      text_.fail(fmt::format("{} {} does not exist, {} come before; export the mesh again", what,
-                             in_quotes(word), size));
+      text_.fail(fmt::format("{} {} does not exist, {} come before; {}", what, in_quotes(word),
+                             size, kExportAgain));
     }
     return std::uint32_t(*number > 0 ? *number - 1 : std::int64_t(size) + *number);
   }

@@ -85,10 +85,7 @@ class OmChecker {
   OmFile take() {
     check_header();
     while (at_ < bytes_.size() && pass_chunk()) continue;
-    for (const KindIndex kind : {kPositions, kHalfedges, kFaces}) {
-      if (!chunks_[kind])
-        fail(at_, fmt::format("the {} are missing; {}", kOmKinds[kind].name, kExportAgain));
-    }
+    for (const KindIndex kind : {kPositions, kHalfedges, kFaces}) chunk_of(kind);
     check_halfedges();
     check_faces();
     OmFile file{std::string(bytes_.substr(0, kOmHeaderSize)), chunks_[kNormals].has_value(),
@@ -178,9 +175,10 @@ class OmChecker {
     }
   }
 
-  /// A chunk of a kind that the file has: those of faces, edges and vertices.
+  /// The chunk of a kind that the file must have.
   const OmChunk& chunk_of(KindIndex kind) const {
-    return *chunks_[kind];  // NOLINT(bugprone-unchecked-optional-access): see take()
+    if (const auto& chunk = chunks_[kind]) return *chunk;
+    fail(at_, fmt::format("the {} are missing; {}", kOmKinds[kind].name, kExportAgain));
   }
 
   /// The i-th integer of a chunk, which must be `min` to `count` - 1.

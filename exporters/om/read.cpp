@@ -30,7 +30,7 @@ OmMesh open_mesh(const OmFile& file, std::string_view name) {
   std::istringstream stream(file.bytes, std::ios::binary);
   OmMesh mesh;
   if (!OpenMesh::IO::read_mesh(mesh, stream, ".om", options)) {
-    throw Error(fmt::format("{} can't be read by OpenMesh; export the mesh again", name));
+    throw Error(fmt::format("{} can't be read by OpenMesh; {}", name, kExportAgain));
   }
   return mesh;
 }
@@ -40,9 +40,8 @@ template <class Vector>
 Vector usable(const Vector& vector, std::string_view what, std::size_t i, std::string_view name) {
   for (const double component : vector) {
     if (is_usable(component)) continue;
-    throw file_error(
-        name, what, i,
-        fmt::format("{} is not a finite float32 number; export the mesh again", component));
+    throw file_error(name, what, i,
+                     fmt::format("{} is not a finite float32 number; {}", component, kExportAgain));
   }
   return vector;
 }

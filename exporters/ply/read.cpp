@@ -188,8 +188,9 @@ class PlyReader {
     polygons_.uvs.insert(polygons_.uvs.end(), corner_uvs_.begin(), corner_uvs_.end());
   }
 
+  /// How many numbers follow: one, unless they are a list.
   std::uint64_t list_size(const PlyProperty& property) {
-    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): of lists alone, which have a count
+    if (!property.count) return 1;
     const double size = values_.value(*property.count);
     const std::uint64_t fitting = values_.remaining() / Values::min_size(property.type);
     const auto max = double(fitting);
@@ -199,7 +200,7 @@ class PlyReader {
   }
 
   void pass(const PlyProperty& property) {
-    const std::uint64_t numbers = property.count ? list_size(property) : 1;
+    const std::uint64_t numbers = list_size(property);
     for (std::uint64_t i = 0; i < numbers; ++i) values_.value(property.type);
   }
 

@@ -26,25 +26,24 @@ class PlyText {
   [[noreturn]] void fail(std::string_view what) const { text_.fail(what); }
 
   void begin_element() {
-    if (!text_.next_line()) text_.fail("cut short; export the mesh again");
+    if (!text_.next_line()) text_.fail(fmt::format("cut short; {}", kExportAgain));
   }
   double value(PlyType) {
     const std::string_view word = text_.word();
     const auto number = number_of(word);
     if (number) return *number;
-    text_.fail(word.empty()
-                   ? "a number is missing here; export the mesh again"
-                   : fmt::format("{} is not a number; export the mesh again", in_quotes(word)));
+    text_.fail(word.empty() ? fmt::format("a number is missing here; {}", kExportAgain)
+                            : fmt::format("{} is not a number; {}", in_quotes(word), kExportAgain));
   }
   void end_element() {
     const std::string_view word = text_.word();
     if (word.empty()) return;
     text_.fail(
-        fmt::format("{} after the element's last number; export the mesh again", in_quotes(word)));
+        fmt::format("{} after the element's last number; {}", in_quotes(word), kExportAgain));
   }
   void finish() {
     if (text_.next_line()) {
-      text_.fail("more lines than the header counts; export the mesh again");
+      text_.fail(fmt::format("more lines than the header counts; {}", kExportAgain));
     }
   }
 
@@ -96,13 +95,13 @@ class PlyBinary {
   void finish() {
     // Some writers end the file with a line break.
     if (bytes_.find_first_not_of(" \r\n", at_) == bytes_.npos) return;
-    fail("more bytes than the header counts; export the mesh again");
+    fail(fmt::format("more bytes than the header counts; {}", kExportAgain));
   }
 
  private:
   template <class T>
   T get() {
-    if (remaining() < sizeof(T)) fail("cut short; export the mesh again");
+    if (remaining() < sizeof(T)) fail(fmt::format("cut short; {}", kExportAgain));
     char bytes[sizeof(T)];
     std::memcpy(bytes, bytes_.data() + at_, sizeof(T));
     if (swaps_) std::reverse(bytes, bytes + sizeof(T));

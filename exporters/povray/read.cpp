@@ -80,7 +80,7 @@ class PovReader {
   void expect(std::string_view wanted) {
     const std::string_view token = tokens_.next();
     if (token == wanted) return;
-    if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kPovRemedy));
+    if (token.empty()) tokens_.fail(fmt::format("cut short before {}; {}", wanted, kExportAgain));
     tokens_.fail(fmt::format("{} where {} was expected: only numbers are read, no expressions",
                              in_quotes(token), wanted));
   }
@@ -95,7 +95,7 @@ class PovReader {
     expect("{");
     const std::uint64_t count = integer();
     if (count > tokens_.remaining() / min) {
-      tokens_.fail(fmt::format("a list of {}, which the file can't hold; {}", count, kPovRemedy));
+      tokens_.fail(fmt::format("a list of {}, which the file can't hold; {}", count, kExportAgain));
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       pass_comma();
@@ -107,7 +107,7 @@ class PovReader {
 
   double number() {
     const std::string_view token = tokens_.next();
-    if (token.empty()) tokens_.fail(fmt::format("cut short before a number; {}", kPovRemedy));
+    if (token.empty()) tokens_.fail(fmt::format("cut short before a number; {}", kExportAgain));
     const auto value = number_of(token);
     if (!value || token[0] == 'n' || token[0] == 'i') {
       tokens_.fail(fmt::format("{} is not a number: only numbers are read, no expressions",
@@ -125,7 +125,7 @@ class PovReader {
     if (value >= 0 && value < kBeyond && value == double(std::uint64_t(value))) {
       return std::uint64_t(value);
     }
-    tokens_.fail(fmt::format("{} is not a count or an index; {}", value, kPovRemedy));
+    tokens_.fail(fmt::format("{} is not a count or an index; {}", value, kExportAgain));
   }
 
   Vec3d vector() {
@@ -155,7 +155,7 @@ class PovReader {
       if (i > 0) expect(",");
       const std::uint64_t index = integer();
       if (index >= kNoIndex)
-        tokens_.fail(fmt::format("index {} does not exist; {}", index, kPovRemedy));
+        tokens_.fail(fmt::format("index {} does not exist; {}", index, kExportAgain));
       indices[i] = std::uint32_t(index);
     }
     expect(">");
@@ -186,7 +186,7 @@ class PovReader {
         if (own < end - start) return std::uint32_t(start + own);
         throw file_error(name_, "line", polygons_.places[start_.polygon + face],
                          fmt::format("{} {} does not exist, the mesh2 has {}, from 0 on; {}", what,
-                                     own, end - start, kPovRemedy));
+                                     own, end - start, kExportAgain));
       };
       corner.position = moved("vertex", index, start_.position, polygons_.positions.size());
       if (has_normals) {
@@ -203,7 +203,7 @@ class PovReader {
   void check_size(std::string_view what, std::size_t size) const {
     const std::size_t faces = polygons_.sizes.size() - start_.polygon;
     if (size == 0 || size == faces) return;
-    tokens_.fail(fmt::format("{} {} for {} faces; {}", size, what, faces, kPovRemedy));
+    tokens_.fail(fmt::format("{} {} for {} faces; {}", size, what, faces, kExportAgain));
   }
 
   PovTokens tokens_;

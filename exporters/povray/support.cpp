@@ -10,6 +10,7 @@
 #include "scene/fields.h"
 #include "shaders/formulas/lighting.h"
 #include "system/error.h"
+#include "system/listing.h"
 
 namespace lumaknot::povray {
 namespace {
@@ -28,12 +29,10 @@ void add(Shortfalls& list, bool lacks, std::string what, std::string nearest = {
 /// "POV-Ray can't A, B nor C", or empty.
 std::optional<std::string> sentence(const Shortfalls& list) {
   if (list.empty()) return std::nullopt;
-  std::string text = "POV-Ray can't ";
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const bool last = i + 1 == list.size();
-    text += (i == 0 ? "" : last ? " nor " : ", ") + list[i].what;
-  }
-  return text;
+  std::vector<std::string> lacks;
+  lacks.reserve(list.size());
+  for (const Shortfall& s : list) lacks.push_back(s.what);
+  return "POV-Ray can't " + listing(lacks, "nor");
 }
 
 /// The sentence, then the nearest of each.

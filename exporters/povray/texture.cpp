@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 #include "exporters/povray/text.h"
@@ -185,7 +186,8 @@ std::optional<PovHighlight> pov_highlight(const View& view, const Shot& shot) {
 }
 
 PovHighlight drawn_highlight(const View& view, const Shot& shot) {
-  return *pov_highlight(view, shot);  // NOLINT(bugprone-unchecked-optional-access): its condition
+  if (const auto highlight = pov_highlight(view, shot)) return *highlight;
+  throw std::logic_error("POV-Ray can't draw this highlight");
 }
 
 PovTexture pov_texture(const View& view, const Texture& texture, const Shot& shot,

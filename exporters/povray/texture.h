@@ -27,7 +27,7 @@ struct PovHighlight {
 /// The highlight of `shot`; empty where a channel without highlights has a diffuse term.
 std::optional<PovHighlight> pov_highlight(const View& view, const Shot& shot);
 
-/// The highlight of a shot for which it is not empty.
+/// The same, of a shot for which it is not empty. Throws std::logic_error if it is.
 PovHighlight drawn_highlight(const View& view, const Shot& shot);
 
 /// The declarations that `shot` needs before its texture, and the texture itself.

@@ -65,7 +65,7 @@ void PovTokens::pass_comment() {
   int depth = 0;
   do {
     if (at_ == text_.size()) {
-      fail(fmt::format("the comment of line {} does not end; {}", begin, kPovRemedy));
+      fail(fmt::format("the comment of line {} does not end; {}", begin, kExportAgain));
     }
     const bool opens = at(0) == '/' && at(1) == '*', closes = at(0) == '*' && at(1) == '/';
     depth += int(opens) - int(closes);
@@ -76,7 +76,7 @@ void PovTokens::pass_comment() {
 
 void PovTokens::pass_string() {
   for (++at_; at(0) != '"'; step()) {
-    if (at_ == text_.size()) fail(fmt::format("a string that does not end; {}", kPovRemedy));
+    if (at_ == text_.size()) fail(fmt::format("a string that does not end; {}", kExportAgain));
     if (at(0) == '\\' && at_ + 1 < text_.size()) ++at_;
   }
   ++at_;

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace lumaknot::povray {
+#include "exporters/text/scanner.h"
 
-/// The remedy for a .pov or .inc file that ends too early.
-inline constexpr std::string_view kPovRemedy = "export the mesh again";
+namespace lumaknot::povray {
 
 /// A text's tokens, without its comments.
 class PovTokens {

@@ -111,21 +111,21 @@ bool TextScanner::next_line() {
 
 double TextScanner::number() {
   const std::string_view text = word();
-  if (text.empty()) fail("a number is missing here; export the mesh again");
+  if (text.empty()) fail(fmt::format("a number is missing here; {}", kExportAgain));
   const auto value = number_of(text);
-  if (!value) fail(fmt::format("{} is not a number; export the mesh again", in_quotes(text)));
+  if (!value) fail(fmt::format("{} is not a number; {}", in_quotes(text), kExportAgain));
   if (!is_usable(*value)) {
-    fail(fmt::format("{} is not a finite float32 number; export the mesh again", in_quotes(text)));
+    fail(fmt::format("{} is not a finite float32 number; {}", in_quotes(text), kExportAgain));
   }
   return *value;
 }
 
 std::uint64_t TextScanner::count() {
   const std::string_view text = word();
-  if (text.empty()) fail("a count is missing here; export the mesh again");
+  if (text.empty()) fail(fmt::format("a count is missing here; {}", kExportAgain));
   const auto value = integer_of(text);
   if (!value || *value < 0) {
-    fail(fmt::format("{} is not a count; export the mesh again", in_quotes(text)));
+    fail(fmt::format("{} is not a count; {}", in_quotes(text), kExportAgain));
   }
   return std::uint64_t(*value);
 }
