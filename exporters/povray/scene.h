@@ -35,6 +35,14 @@ void check_pov_export(const View& view, const Shot& shot);
 bool needs_diffuse(const View& view, const Shot& shot);
 bool needs_specular(const View& view, const Shot& shot);
 
+/// The factor by which lengths must grow for POV-Ray to draw the mesh: it drops triangles and hits
+/// smaller than constants of its own. A power of two, so that no number is rounded; 1 for a mesh
+/// of 0.01 to 100,000 units.
+double pov_length_scale(const TriangleMesh& mesh);
+
+/// The same picture of a scene whose lengths are `factor` times as large.
+Scene scaled(Scene scene, double factor);
+
 /// The data of a mesh2: vertices, normals, texture coordinates, triangles. POV-Ray keeps float32.
 std::string pov_mesh(const TriangleMesh& mesh);
 
@@ -50,8 +58,8 @@ Package pov_textures(const Texture& texture, std::span<const Shot> shots,
                      const std::string& prefix);
 
 /// NAME.pov, which draws the scene without further input, with the images that it needs. Clamps,
-/// unnormalised normals and the gamut rule are left out, with a comment that says so. Throws Error
-/// as check_pov_export() does.
+/// unnormalised normals and the gamut rule are left out, with a comment that says so, and lengths
+/// scaled by pov_length_scale(). Throws Error as check_pov_export() does.
 Package pov_package(const Scene& scene, const std::string& name);
 
 }  // namespace lumaknot::povray

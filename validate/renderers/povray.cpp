@@ -142,7 +142,8 @@ class PovRay final : public Renderer {
       return rendering;
     }
     try {
-      draw_in_folder(program, scene, shots, rendering);
+      const double scale = povray::pov_length_scale(scene.mesh);
+      draw_in_folder(program, scale == 1 ? scene : povray::scaled(scene, scale), shots, rendering);
     } catch (const std::runtime_error& e) {
       rendering.shots = undrawn(shots.size(), RenderedShot::Status::kFailed, e.what());
     }
