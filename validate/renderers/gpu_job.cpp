@@ -13,6 +13,7 @@
 #include "math/angle.h"
 #include "shaders/languages/emit.h"
 #include "system/atomic_file.h"
+#include "validate/renderers/depth_range.h"
 #include "validate/renderers/job_files.h"
 #include "validate/renderers/spirv.h"
 
@@ -56,23 +57,12 @@ Json write_textures(const fs::path& folder, const Texture& texture, std::span<co
   return list;
 }
 
-/// Clip distances that just hold the mesh: a depth buffer is finest that way.
-std::pair<double, double> depth_range(const Scene& scene, const CameraFrame& frame) {
-  double min = INFINITY, max = 0;
-  for (const Vec3d& p : scene.mesh.positions) {
-    const double depth = dot(scene.view.camera.position - p, frame.back);
-    min = std::min(min, depth);
-    max = std::max(max, depth);
-  }
-  const double near = std::max(near_depth(scene.view.camera), min * 0.99);
-  return {near, std::max(max * 1.01, near * 2)};
-}
-
 /// From the world to clip space. Vulkan: y downwards and z from 0 to 1.
 Matrix world_view_projection(const Scene& scene, bool is_vulkan) {
   const Camera& camera = scene.view.camera;
   const CameraFrame frame = camera_frame(camera);
-  const auto [near, far] = depth_range(scene, frame);
+  const Interval<double> range = depth_range(scene.mesh, camera, scene.view.image);
+  const double near = range.min, far = range.max;
   const double up = 1 / std::tan(camera.fov_degrees * kPi / 360);
   const double right = up * scene.view.image.height / scene.view.image.width;
   const double z = is_vulkan ? far / (far - near) : (far + near) / (far - near);
