@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "cli/command_table.h"
 #include "cli/commands/output_folder.h"
 #include "cli/commands/scene_input.h"
 #include "cli/commands/shared_arguments.h"
+#include "cli/commands/shares.h"
 #include "cli/terminal.h"
 #include "scene/json.h"
 #include "study/plan/outcome.h"
@@ -29,13 +28,6 @@ struct PlanFlags {
   int rounds = 5;
   Output out;
 };
-
-std::optional<double> number_of(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return {};
-  return value;
-}
 
 /// "0.004", or a fraction of a number > 0: "1/255".
 double tolerance_of(const std::string& text) {
