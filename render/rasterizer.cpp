@@ -74,15 +74,15 @@ Rasterizer::Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width
   view_positions_.reserve(mesh.positions.size());
   for (const Vec3d& p : mesh.positions) view_positions_.push_back(projection_.to_view(p));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Bounds bounds = image_bounds(mesh.triangles[t]);
-    if (bounds.empty()) continue;
-    for (int b = bounds.y0 / band_height; b <= (bounds.y1 - 1) / band_height; ++b) {
+    const Bounds covered = bounds(mesh.triangles[t]);
+    if (covered.empty()) continue;
+    for (int b = covered.y0 / band_height; b <= (covered.y1 - 1) / band_height; ++b) {
       bins_[std::size_t(b)].push_back(t);
     }
   }
 }
 
-Rasterizer::Bounds Rasterizer::image_bounds(const Triangle& triangle) const {
+Rasterizer::Bounds Rasterizer::bounds(const Triangle& triangle) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
   int in_front = 0;
@@ -107,16 +107,6 @@ Grid<Fragment> Rasterizer::band(int index) const {
   return band;
 }
 
-Fragment Rasterizer::at(double x, double y, double beyond) const {
-  const std::size_t last = bins_.size() - 1;
-  const auto& bin = bins_[std::min(last, std::size_t(std::max(0.0, y) / band_height_))];
-  Fragment seen;
-  for (const std::uint32_t triangle : bin) {
-    draw_at(triangle, edges(triangle), projection_.ray(x, y), std::max(near_, beyond), seen);
-  }
-  return seen;
-}
-
 Edges Rasterizer::edges(std::uint32_t triangle) const {
   const Triangle& corners = mesh_.triangles[triangle];
   return edges_of(view_positions_[corners[0]], view_positions_[corners[1]],
@@ -125,11 +115,11 @@ Edges Rasterizer::edges(std::uint32_t triangle) const {
 
 void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const {
   const Edges edges = this->edges(triangle);
-  const Bounds bounds = image_bounds(mesh_.triangles[triangle]);
-  const int y0 = std::max(bounds.y0, first_row);
-  const int y1 = std::min(bounds.y1, first_row + band.height);
+  const Bounds covered = bounds(mesh_.triangles[triangle]);
+  const int y0 = std::max(covered.y0, first_row);
+  const int y1 = std::min(covered.y1, first_row + band.height);
   for (int y = y0; y < y1; ++y) {
-    for (int x = bounds.x0; x < bounds.x1; ++x) {
+    for (int x = covered.x0; x < covered.x1; ++x) {
       draw_at(triangle, edges, projection_.ray(x + 0.5, y + 0.5), near_, band.at(x, y - first_row));
     }
   }

@@ -50,26 +50,34 @@ class Rasterizer {
 
   int bands() const { return int(bins_.size()); }
 
-  /// What the image point (x, y), in samples from the top left, sees beyond the depth `beyond`; any
-  /// point inside the image.
-  Fragment at(double x, double y, double beyond = 0) const;
-
   /// Rows [band * band_height, ...) of the image; the last band may have fewer.
   Grid<Fragment> band(int index) const;
 
- private:
+  /// The samples that a triangle may cover, half open and clipped to the image.
   struct Bounds {
-    int x0, x1, y0, y1;  // half open; empty if nothing is seen
+    int x0, x1, y0, y1;
     bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
+  Bounds bounds(const Triangle& triangle) const;
 
-  Bounds image_bounds(const Triangle& triangle) const;
-  void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
+  Edges edges(std::uint32_t triangle) const;
+
+  /// Replaces `seen` by what the view ray meets of the triangle, if that is not behind `seen` and
+  /// its depth is at least `nearest`.
   void draw_at(std::uint32_t triangle, const Edges& edges, const Vec3d& ray, double nearest,
                Fragment& seen) const;
-  Edges edges(std::uint32_t triangle) const;
+
+  /// The point of a triangle with these barycentric weights, which sum up to 1.
   Fragment fragment(std::uint32_t triangle, double depth,
                     const std::array<double, 3>& weights) const;
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  const Projection& projection() const { return projection_; }
+  const Vec3d& view_position(std::uint32_t vertex) const { return view_positions_[vertex]; }
+  double nearest() const { return near_; }
+
+ private:
+  void draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const;
 
   const TriangleMesh& mesh_;
   Projection projection_;

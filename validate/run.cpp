@@ -40,7 +40,7 @@ struct Ours {
 };
 
 Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limited,
-             const Limits& limits) {
+             const Limits& limits, const Allowances& allowances) {
   Judged result;
   if (drawn.status == RenderedShot::Status::kDrawn) {
     const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
@@ -50,7 +50,8 @@ Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limit
       result.pictures.ours_instead = display_png(nearest);
     }
     const Image& mine = drawn.instead ? nearest : ours.rendering.shots[index].image;
-    result.comparison = compare(ours.reference, shot, mine, drawn.image, limited, limits);
+    result.comparison =
+        compare(ours.reference, shot, mine, drawn.image, limited, limits, allowances);
     if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
     result.pictures.theirs = display_png(drawn.image);
     result.pictures.difference = display_png(difference(mine, drawn.image, limited));
@@ -65,40 +66,77 @@ std::string first_difference(const std::vector<Shot>& shots, const RendererResul
   if (result.coverage_unexplained > 0) return "coverage";
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Judged& judged = result.shots[i];
-    if (judged.drawn.status == RenderedShot::Status::kDrawn && !judged.comparison.agrees()) {
+    if (judged.drawn.status == RenderedShot::Status::kDrawn &&
+        judged.comparison.outcome() == Outcome::kDiffered) {
       return shots[i].name;
     }
   }
   return {};
 }
 
-RendererResult judge_all(const Ours& ours, Rendering rendering) {
+/// The classes of all rungs that are beyond what is allowed, the largest share of each.
+std::vector<ClassShare> explained_classes(const RendererResult& result) {
+  std::vector<ClassShare> worst;
+  const auto add = [&](const ClassShare& share) {
+    if (!share.exceeded) return;
+    const auto same = std::ranges::find(worst, share.allowance, &ClassShare::allowance);
+    if (same == worst.end()) {
+      worst.push_back(share);
+    } else if (share.share() > same->share()) {
+      *same = share;
+    }
+  };
+  add(result.coverage_share);
+  for (const Judged& judged : result.shots) {
+    for (const ClassShare& share : judged.comparison.shares) add(share);
+  }
+  // The sum says nothing that its parts don't.
+  const auto is_part = [](const ClassShare& s) { return s.allowance != kTotalAllowance; };
+  if (std::ranges::any_of(worst, is_part)) {
+    std::erase_if(worst, [&](const ClassShare& s) { return !is_part(s); });
+  }
+  return worst;
+}
+
+/// Coverage is judged once, by the shot in which it differs most.
+void judge_coverage(const Ours& ours, const Allowances& allowances, RendererResult& result) {
+  long long covered = 0, explained = 0;
+  for (const Judged& judged : result.shots) {
+    const Comparison& c = judged.comparison;
+    covered = std::max(covered, c.covered);
+    explained = std::max(explained, c.coverage_differs - c.coverage_unexplained);
+    result.coverage_differs = std::max(result.coverage_differs, c.coverage_differs);
+    result.coverage_unexplained = std::max(result.coverage_unexplained, c.coverage_unexplained);
+    if (c.has_no_coverage) result.coverage_note = "the alpha of its images is 0 everywhere";
+  }
+  result.coverage_share = class_share(kCoverageAllowance, explained, covered,
+                                      ours.reference.silhouette_length, allowances);
+}
+
+RendererResult judge_all(const Ours& ours, Rendering rendering, const Allowances& allowances) {
   RendererResult result;
   const Limits& limits = renderer_entry(rendering.renderer).limits;
   for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
     result.shots.push_back(
-        judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits));
-    const Comparison& c = result.shots.back().comparison;
-    result.coverage_differs = std::max(result.coverage_differs, c.coverage_differs);
-    result.coverage_unexplained = std::max(result.coverage_unexplained, c.coverage_unexplained);
+        judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits, allowances));
   }
   rendering.shots.clear();
   result.rendering = std::move(rendering);
+  judge_coverage(ours, allowances, result);
   result.first_difference = first_difference(ours.shots, result);
+  result.explained = explained_classes(result);
   return result;
 }
 
 Verdict verdict_of(const std::vector<RendererResult>& results) {
-  bool compared = false, differs = false;
-  for (const RendererResult& result : results) {
-    compared |= result.drew_any();
-    differs |= !result.first_difference.empty();
-    for (const Judged& shot : result.shots) {
-      differs |= shot.drawn.status == RenderedShot::Status::kFailed;
-    }
-  }
-  if (differs) return Verdict::kDiffered;
-  return compared ? Verdict::kAgreed : Verdict::kNothingToCompare;
+  const auto any = [&](auto holds) { return std::ranges::any_of(results, holds); };
+  const auto is = [](Outcome outcome) {
+    return [outcome](const RendererResult& r) { return r.outcome() == outcome; };
+  };
+  if (any(is(Outcome::kDiffered))) return Verdict::kDiffered;
+  if (any(is(Outcome::kExplained))) return Verdict::kExplained;
+  return any([](const RendererResult& r) { return r.drew_any(); }) ? Verdict::kAgreed
+                                                                   : Verdict::kNothingToCompare;
 }
 
 /// The renderers that the job asks for.
@@ -124,6 +162,18 @@ Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fr
 bool RendererResult::drew_any() const {
   return std::ranges::any_of(
       shots, [](const Judged& shot) { return shot.drawn.status == RenderedShot::Status::kDrawn; });
+}
+
+Outcome RendererResult::coverage_outcome() const {
+  if (coverage_unexplained > 0) return Outcome::kDiffered;
+  return coverage_share.exceeded ? Outcome::kExplained : Outcome::kAgreed;
+}
+
+Outcome RendererResult::outcome() const {
+  const bool failed = std::ranges::any_of(
+      shots, [](const Judged& shot) { return shot.drawn.status == RenderedShot::Status::kFailed; });
+  if (failed || !first_difference.empty()) return Outcome::kDiffered;
+  return explained.empty() ? Outcome::kAgreed : Outcome::kExplained;
 }
 
 Scene sample_by_sample(Scene scene) {
@@ -153,7 +203,7 @@ Validation validate(const ValidationJob& job,
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
-      RendererResult judged = judge_all(*ours_drawn.get(), std::move(rendering));
+      RendererResult judged = judge_all(*ours_drawn.get(), std::move(rendering), job.allowances);
       const std::lock_guard lock(telling);
       if (on_message)
         on_message(fmt::format("{}: {:.1f} s", renderer->name(), judged.rendering.seconds));

@@ -17,6 +17,7 @@ struct ValidationJob {
   std::vector<Shot> finals;            ///< the materials to draw, by name
   std::vector<std::string> renderers;  ///< flags of renderer_entries(); empty: the default ones
   Programs programs;
+  Allowances allowances = {};
 };
 
 /// PNG files for the report, created while other renderers still draw.
@@ -39,12 +40,19 @@ struct RendererResult {
   std::vector<Judged> shots;
   long long coverage_differs = 0;      ///< the largest of any shot: the first rung
   long long coverage_unexplained = 0;  ///< of those
+  ClassShare coverage_share;           ///< of the pixels whose coverage differs for a known reason
+  std::string coverage_note;           ///< what the images' coverage is like, if it is odd
   std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
+  std::vector<ClassShare> explained;  ///< beyond what is allowed: the largest share of each class
 
   bool drew_any() const;
+  Outcome coverage_outcome() const;
+
+  /// Of all rungs; kDiffered too if a shot failed.
+  Outcome outcome() const;
 };
 
-enum class Verdict { kAgreed, kDiffered, kNothingToCompare };
+enum class Verdict { kAgreed, kExplained, kDiffered, kNothingToCompare };
 
 struct Validation {
   std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/command_table.h"
+#include "cli/commands/allowance_flag.h"
 #include "cli/commands/output_folder.h"
 #include "cli/commands/scene_input.h"
 #include "cli/commands/shared_arguments.h"
@@ -29,7 +30,8 @@ constexpr long long kMaxSamples = 1LL << 24;  // each takes about 600 bytes
 
 struct ValidateFlags {
   std::string scene = "figure2", output = "report";
-  std::vector<std::string> models, renderers;
+  std::string junit;
+  std::vector<std::string> models, renderers, allowed;
   validate::Programs programs;
   double time_limit = 300;
   Output out;
@@ -57,7 +59,7 @@ std::vector<Shot> finals(const Material& own, const std::vector<std::string>& mo
 /// `text` quoted as one word for a shell.
 std::string shell_word(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) || std::string_view("_-./:=,").find(char(c)) != std::string_view::npos;
+    return std::isalnum(c) || std::string_view("_-./:=,%").find(char(c)) != std::string_view::npos;
   };
   if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
   std::string word = "'";
@@ -72,6 +74,7 @@ std::string repeat_command(const ValidateFlags& flags) {
   };
   for (const std::string& model : flags.models) add("--model", model);
   for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
+  for (const std::string& share : flags.allowed) add("--allow", share);
   for (const validate::ProgramInfo* program : validate::renderer_programs()) {
     const std::string path = flags.programs.path(*program);
     if (path != validate::Programs{}.path(*program)) add(program->flag, path);
@@ -91,8 +94,13 @@ std::string summary(const validate::RendererResult& result) {
   if (failed || !result.drew_any()) {
     return line + fmt::format("{}: {}", validate::outcome(*first), first->drawn.why);
   }
-  const std::string& where = result.first_difference;
-  line += where.empty() ? "agreed" : fmt::format("differed, first in: {}", where);
+  line += validate::outcome_name(result.outcome());
+  if (!result.first_difference.empty()) {
+    line += fmt::format(", first in: {}", result.first_difference);
+  } else if (!result.explained.empty()) {
+    line += ": " + validate::explanation(result.explained);
+  }
+  if (!result.coverage_note.empty()) line += "; " + result.coverage_note;
   const auto count = std::ranges::count(shots, validate::RenderedShot::Status::kSkipped, status);
   if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
   return line;
@@ -100,35 +108,50 @@ std::string summary(const validate::RendererResult& result) {
 
 int exit_code_of(validate::Verdict verdict) {
   if (verdict == validate::Verdict::kAgreed) return kExitAgreed;
-  return verdict == validate::Verdict::kDiffered ? kExitDiffered : kExitNothingToCompare;
+  return verdict == validate::Verdict::kNothingToCompare ? kExitNothingToCompare : kExitDiffered;
 }
 
-int run(ValidateFlags flags) {
-  const SceneInput input = read_scene(flags.scene);
+/// Throws Error if a file of the result would overwrite an input.
+void check_outputs(const ValidateFlags& flags, const SceneInput& input) {
   for (const char* file : {"report.json", "report.html"}) {
     check_not_input(fs::path(flags.output) / file, input, "--output");
   }
-  check_samples(input.spec.view.image, kMaxSamples);
-  validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
-                              finals(input.spec.view.material, flags.models), flags.renderers,
-                              flags.programs};
-  check_number("--time-limit", flags.time_limit, kPositive);
-  job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
-  const OutputFolder output_folder(flags.output, "report.html");
-  const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
-  const validate::Validation validation = validate::validate(job, [&](const std::string& line) {
-    if (verbose) fmt::print(stderr, "{}\n", line);
-  });
+  if (!flags.junit.empty()) check_not_input(flags.junit, input, "--junit");
+}
+
+/// Writes the report in all its forms and prints the result.
+void write_reports(const ValidateFlags& flags, const validate::Validation& validation) {
   const validate::ReportHead head{flags.scene, repeat_command(flags)};
   const std::string json = validate::report_json(validation, head);
+  const fs::path page = fs::path(flags.output) / "report.html";
   write_file(fs::path(flags.output) / "report.json", json, "--output");
-  write_file(fs::path(flags.output) / "report.html", validate::report_html(validation, head),
-             "--output");
+  write_file(page, validate::report_html(validation, head), "--output");
+  if (!flags.junit.empty()) {
+    write_file(flags.junit, validate::report_junit(validation, head), "--junit");
+  }
   if (flags.out.json) fmt::print("{}", json);
   for (const validate::RendererResult& result : validation.results) flags.out.say(summary(result));
   flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
                             validate::verdict_name(validation.verdict), validation.seconds,
-                            (fs::path(flags.output) / "report.html").string()));
+                            page.string()));
+}
+
+int run(const ValidateFlags& flags) {
+  const SceneInput input = read_scene(flags.scene);
+  check_outputs(flags, input);
+  check_samples(input.spec.view.image, kMaxSamples);
+  validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
+                              finals(input.spec.view.material, flags.models), flags.renderers,
+                              flags.programs, allowances_of(flags.allowed)};
+  check_number("--time-limit", flags.time_limit, kPositive);
+  job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
+  const OutputFolder output_folder(flags.output, "report.html");
+  if (!flags.junit.empty()) check_writable(flags.junit, "--junit");
+  const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
+  const validate::Validation validation = validate::validate(job, [&](const std::string& line) {
+    if (verbose) fmt::print(stderr, "{}\n", line);
+  });
+  write_reports(flags, validation);
   return exit_code_of(validation.verdict);
 }
 
@@ -167,6 +190,11 @@ std::vector<Argument> validate_arguments(ValidateFlags& flags) {
        .default_text = fmt::format("{}", fmt::join(renderer_flags(true), ",")),
        .choices = renderer_flags(false),
        .list = true},
+      allow_argument(flags.allowed),
+      {.names = "--junit",
+       .target = &flags.junit,
+       .meaning = "file for the result as JUnit XML, which build servers read",
+       .value = kFile},
       {.names = "--time-limit",
        .target = &flags.time_limit,
        .meaning = "seconds a renderer may take",
@@ -187,10 +215,13 @@ Subcommand validate_command() {
       .about = "Draw a scene with every renderer and prove whether they agree",
       .arguments = validate_arguments(*flags),
       .notes =
-          "Exit code: 0 all agree, 1 one differs or fails, 2 invalid usage or input, 3 nothing to "
-          "compare with.",
+          "A renderer agrees, differs, or is explained: each difference has a known cause that was "
+          "recomputed, but more of the picture differs than is allowed.\n"
+          "Exit code: 0 all agree, 1 one differs, is explained or fails, 2 invalid usage or input, "
+          "3 nothing to compare with.",
       .examples = {{"lumaknot validate -o report/"},
                    {"lumaknot validate scene.json --model scene --renderer povray -o report/"},
+                   {"lumaknot validate --allow turned-normal=20% --junit tests.xml"},
                    {"lumaknot validate --model cielab-cook-torrance --against gl,vulkan"},
                    {"lumaknot validate figure1-back --blender /opt/blender-4.2/blender"}},
       .run = [flags] {

@@ -188,6 +188,33 @@ TEST_F(Program, validate_without_renderers_reports_nothing_to_compare) {
   EXPECT_EQ(nlohmann::json::parse(read("r/report.json"))["verdict"], "nothing to compare");
 }
 
+TEST_F(Program, validate_refuses_allowances_that_mean_nothing) {
+  const auto refused = [this](const std::string& value, const std::string& part) {
+    expect_refused({"validate", "figure2", "--allow", value, "-o", "report"}, part);
+  };
+  refused("turned-normals=20%", "known: turned-normal, gated-highlight, texel-edge, silhouette");
+  refused("turned-normal", "--allow turned-normal must be a share");
+  refused("turned-normal=20", "from 0 to 1 or from 0% to 100%, got 20");
+  refused("all=0.01,coverage=101%", "--allow coverage must be a share");
+  refused("silhouette=-1%", "got -1%");
+  expect_refused({"validate", "figure2", "--junit", "no/folder/tests.xml", "-o", "report"},
+                 "--junit no/folder/tests.xml");
+  EXPECT_THAT(files(), ::testing::IsEmpty());
+}
+
+TEST_F(Program, validate_writes_a_test_case_per_renderer_and_rung) {
+  const std::string none = "/nonexistent/program";
+  EXPECT_THAT(lumaknot({"validate", "figure2", "--renderer", "povray,cycles", "--model", "phong",
+                        "--povray", none, "--blender", none, "--junit", "r/tests.xml", "-o", "r"}),
+              ExitsWith(3));
+  const std::string xml = read("r/tests.xml");
+  EXPECT_THAT(xml, HasSubstr("tests=\"10\" failures=\"0\" errors=\"0\" skipped=\"10\""))
+      << "two renderers; coverage, texture, diffuse, specular and phong";
+  EXPECT_THAT(xml, HasSubstr("<testcase classname=\"POV-Ray\" name=\"coverage\"><skipped "));
+  write("parse.py", "import xml.etree.ElementTree as e; e.parse('r/tests.xml')");
+  EXPECT_TRUE(run_here({"/usr/bin/python3", "parse.py"}, {}).succeeded());
+}
+
 TEST_F(Program, an_interrupt_stops_the_renderers_and_leaves_no_files) {
   write("povray", "#!/bin/sh\necho $$ > " + path("pid").string() + "\nexec sleep 600\n");
   fs::permissions(path("povray"), fs::perms::owner_all);

@@ -41,18 +41,11 @@ bool faces_away(const Scene& scene, const Fragment& fragment) {
   return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
 }
 
-/// How a renderer departs from our formulas.
-struct Habits {
-  bool turns = false;  ///< normals that face away are turned to the viewer
-  bool gates = false;  ///< there is no highlight where n.l <= 0
-};
 constexpr Habits kAllHabits[] = {{false, false}, {false, true}, {true, false}, {true, true}};
 
-/// Our colour of the fragment, drawn as by a renderer with these habits.
-Vec3d drawn_with(Habits habits, const Scene& scene, Shot shot, Fragment fragment) {
-  if (habits.turns && faces_away(scene, fragment)) fragment.normal = -fragment.normal;
-  if (habits.gates) shot.material.highlights = Highlights::kGated;
-  return shade(scene, shot, fragment);
+Shot gated(Shot shot) {
+  shot.material.highlights = Highlights::kGated;
+  return shot;
 }
 
 bool agrees(const Vec3d& ours, const TheirPixel& theirs) {
@@ -71,43 +64,9 @@ bool lies_among(const std::vector<Vec3d>& colors, const TheirPixel& theirs) {
   return true;
 }
 
-/// Whether theirs is among our colours of `fragments`, drawn with some of the habits.
-bool lies_among(const Scene& scene, const Shot& shot, const std::vector<Fragment>& fragments,
-                const TheirPixel& theirs) {
-  return std::ranges::any_of(kAllHabits, [&](Habits habits) {
-    std::vector<Vec3d> colors;
-    for (const Fragment& f : fragments) {
-      if (f.covered()) colors.push_back(drawn_with(habits, scene, shot, f));
-    }
-    return !colors.empty() && lies_among(colors, theirs);
-  });
-}
-
-bool texel_edge(const Scene& scene, const Shot& shot, const Fragment& fragment,
-                const TheirPixel& theirs) {
-  const auto* texture = std::get_if<TextureImage>(&scene.texture);
-  if (!texture) return false;
-  constexpr double kTexels = 0.01;
-  std::vector<Fragment> moved(5, fragment);
-  for (std::size_t i = 0; i < 4; ++i) {
-    moved[i].uv.u += (i % 2 ? kTexels : -kTexels) / texture->width;
-    moved[i].uv.v += (i / 2 ? kTexels : -kTexels) / texture->height;
-  }
-  return lies_among(scene, shot, moved, theirs);
-}
-
-/// The fragments seen by a 5 x 5 grid of samples around a pixel's centre, at most `edge` pixels off
-/// in x and y.
-std::vector<Fragment> moved_samples(const Reference& reference, PixelPlace place, double edge) {
-  std::vector<Fragment> samples;
-  for (int j = -2; j <= 2; ++j) {
-    for (int i = -2; i <= 2; ++i) {
-      if (i == 0 && j == 0) continue;  // the centre itself
-      samples.push_back(
-          reference.rasterizer.at(place.x + 0.5 + edge * i / 2, place.y + 0.5 + edge * j / 2));
-    }
-  }
-  return samples;
+/// What is seen within `edge` pixels of the pixel's centre.
+std::vector<Fragment> around(const Reference& reference, PixelPlace place, double edge) {
+  return reference.probe.around(place.x + 0.5, place.y + 0.5, edge);
 }
 
 bool at_triangle_edge(const Fragment& here, const std::vector<Fragment>& moved) {
@@ -118,7 +77,7 @@ bool at_triangle_edge(const Fragment& here, const std::vector<Fragment>& moved) 
 Fragment behind_sample(const Reference& reference, PixelPlace place) {
   const double depth = reference.fragments.at(place.x, place.y).depth;
   constexpr double kSameSurface = 1e-6;  // float32 depths of two triangles that meet at an edge
-  return reference.rasterizer.at(place.x + 0.5, place.y + 0.5, depth * (1 + kSameSurface));
+  return reference.probe.at(place.x + 0.5, place.y + 0.5, depth * (1 + kSameSurface));
 }
 
 }  // namespace
@@ -149,32 +108,63 @@ Reference::Reference(const Scene& s, const Grid<Fragment>& f)
     : scene(s),
       fragments(f),
       silhouettes(lumaknot::validate::silhouettes(s, f)),
-      rasterizer(s.mesh, s.view.camera, f.width, f.height, 16) {}
+      silhouette_length(std::ranges::count(silhouettes.pixels, char{1})),
+      probe(s.mesh, s.view.camera, f.width, f.height) {}
 
-PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs) {
-  const Scene& scene = reference.scene;
-  const Fragment& fragment = reference.fragments.at(theirs.place.x, theirs.place.y);
+Explainer::Explainer(const Reference& reference, const Shot& shot)
+    : reference_(reference),
+      gated_shot_(gated(shot)),
+      free_(reference.scene, shot),
+      gated_(reference.scene, gated_shot_) {}
+
+Vec3d Explainer::drawn_with(Habits habits, Fragment fragment) const {
+  if (habits.turns && faces_away(reference_.scene, fragment)) fragment.normal = -fragment.normal;
+  return (habits.gates ? gated_ : free_).color(fragment);
+}
+
+bool Explainer::lies_among(const std::vector<Fragment>& fragments, const TheirPixel& theirs) const {
+  return std::ranges::any_of(kAllHabits, [&](Habits habits) {
+    std::vector<Vec3d> colors;
+    for (const Fragment& f : fragments) {
+      if (f.covered()) colors.push_back(drawn_with(habits, f));
+    }
+    return !colors.empty() && validate::lies_among(colors, theirs);
+  });
+}
+
+bool Explainer::at_texel_edge(const Fragment& fragment, const TheirPixel& theirs) const {
+  const auto* texture = std::get_if<TextureImage>(&reference_.scene.texture);
+  if (!texture) return false;
+  constexpr double kTexels = 0.01;
+  std::vector<Fragment> moved(5, fragment);
+  for (std::size_t i = 0; i < 4; ++i) {
+    moved[i].uv.u += (i % 2 ? kTexels : -kTexels) / texture->width;
+    moved[i].uv.v += (i / 2 ? kTexels : -kTexels) / texture->height;
+  }
+  return lies_among(moved, theirs);
+}
+
+PixelClass Explainer::explain(const TheirPixel& theirs) const {
+  const Fragment& fragment = reference_.fragments.at(theirs.place.x, theirs.place.y);
   const auto agrees_with = [&](Habits habits) {
-    return agrees(drawn_with(habits, scene, shot, fragment), theirs);
+    return agrees(drawn_with(habits, fragment), theirs);
   };
   if (agrees_with({.gates = true})) return PixelClass::kGatedHighlight;
   if (agrees_with({.turns = true}) || agrees_with({.turns = true, .gates = true})) {
     return PixelClass::kTurnedNormal;
   }
-  if (texel_edge(scene, shot, fragment, theirs)) return PixelClass::kTexelEdge;
-  if (!theirs.search) return PixelClass::kUnexplained;
-  std::vector<Fragment> moved = moved_samples(reference, theirs.place, theirs.edge);
+  if (at_texel_edge(fragment, theirs)) return PixelClass::kTexelEdge;
+  std::vector<Fragment> moved = around(reference_, theirs.place, theirs.edge);
   const bool crosses = at_triangle_edge(fragment, moved);
   moved.push_back(fragment);
-  if (lies_among(scene, shot, moved, theirs)) return PixelClass::kSilhouette;
-  const bool slips =
-      crosses && lies_among(scene, shot, {behind_sample(reference, theirs.place)}, theirs);
+  if (lies_among(moved, theirs)) return PixelClass::kSilhouette;
+  const bool slips = crosses && lies_among({behind_sample(reference_, theirs.place)}, theirs);
   return slips ? PixelClass::kSlippedRay : PixelClass::kUnexplained;
 }
 
 bool explains_coverage(const Reference& reference, PixelPlace place, double edge) {
   const Fragment& here = reference.fragments.at(place.x, place.y);
-  const std::vector<Fragment> moved = moved_samples(reference, place, edge);
+  const std::vector<Fragment> moved = around(reference, place, edge);
   const bool differs =
       std::ranges::any_of(moved, [&](const Fragment& f) { return f.covered() != here.covered(); });
   return differs || (here.covered() && at_triangle_edge(here, moved) &&

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "render/reference.h"
+#include "render/shading.h"
+#include "render/surface_probe.h"
 
 namespace lumaknot::validate {
 
@@ -34,7 +37,8 @@ struct Reference {
   const Scene& scene;
   const Grid<Fragment>& fragments;
   Grid<char> silhouettes;
-  Rasterizer rasterizer;  ///< for samples away from the pixels' centres
+  long long silhouette_length;  ///< in pixels: how many `silhouettes` marks
+  SurfaceProbe probe;           ///< for samples away from the pixels' centres
 
   Reference(const Scene& s, const Grid<Fragment>& f);
 };
@@ -51,11 +55,33 @@ struct TheirPixel {
   double tolerance;  ///< per channel
   double edge;       ///< pixels by which its sample may be off the centre
   bool limited;      ///< whether colours are limited to [0, 1] before comparing
-  bool search;       ///< whether samples off the centre are worth the time
 };
 
-/// The first class that brings our colour of `shot` within the tolerance of theirs.
-PixelClass explain(const Reference& reference, const Shot& shot, const TheirPixel& theirs);
+/// How a renderer departs from our formulas.
+struct Habits {
+  bool turns = false;  ///< normals that face away are turned to the viewer
+  bool gates = false;  ///< there is no highlight where n.l <= 0
+};
+
+/// Explains pixels of one shot; keeps the reference and the shot by reference.
+class Explainer {
+ public:
+  Explainer(const Reference& reference, const Shot& shot);
+  Explainer(const Explainer&) = delete;
+  Explainer& operator=(const Explainer&) = delete;
+
+  /// The first class that brings our colour within the tolerance of theirs.
+  PixelClass explain(const TheirPixel& theirs) const;
+
+ private:
+  Vec3d drawn_with(Habits habits, Fragment fragment) const;
+  bool lies_among(const std::vector<Fragment>& fragments, const TheirPixel& theirs) const;
+  bool at_texel_edge(const Fragment& fragment, const TheirPixel& theirs) const;
+
+  const Reference& reference_;
+  Shot gated_shot_;
+  Shading free_, gated_;
+};
 
 /// Whether an edge of the surface passes so close to the pixel's centre that a sample moved by
 /// `edge` pixels is covered where the centre is not, or vice versa.

@@ -1,10 +1,13 @@
 #include "validate/compare/images.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "validate/compare/quantile.h"
 
@@ -15,7 +18,10 @@ namespace {
 struct PixelError {
   double error;
   PixelPlace place;
-  bool inside, classed;
+  bool inside;
+  std::optional<PixelClass> why;  ///< of an outlier
+
+  bool classed() const { return why && *why != PixelClass::kUnexplained; }
 };
 
 double mean_of(const std::vector<double>& values) {
@@ -29,7 +35,7 @@ void summarise(std::vector<PixelError> pixels, Comparison& result) {
   for (const PixelError& p : pixels) {
     all.push_back(p.error);
     squares.push_back(p.error * p.error);
-    if (!p.classed) unclassed.push_back(p.error);
+    if (!p.classed()) unclassed.push_back(p.error);
     if (p.error > result.max) result.max = p.error, result.max_at = p.place;
   }
   std::ranges::sort(all);
@@ -45,7 +51,12 @@ void summarise(std::vector<PixelError> pixels, Comparison& result) {
   result.p9999_unclassed = quantile(unclassed, 0.9999);
 }
 
-void check(const Limits& limits, Comparison& result) {
+/// The unexplained pixels that the limits grant.
+long long granted(const Limits& limits, const Reference& reference) {
+  return count_within(limits.unexplained, reference.silhouette_length);
+}
+
+void check(const Limits& limits, const Reference& reference, Comparison& result) {
   const auto at_most = [&](std::string_view what, double value, double limit) {
     if (value <= limit) return;
     result.exceeded.push_back(fmt::format("{} {:.3g} > {:.3g}", what, value, limit));
@@ -54,68 +65,116 @@ void check(const Limits& limits, Comparison& result) {
   at_most("p99.9", result.p999_unclassed, limits.p999);
   at_most("p99.99", result.p9999_unclassed, limits.p9999);
   at_most("unexplained outliers", double(result.classes[std::size_t(PixelClass::kUnexplained)]),
-          double(limits.unexplained));
+          double(granted(limits, reference)));
 }
 
-}  // namespace
-
-namespace {
-
-/// With more unexplained pixels than this the pictures differ as a whole, and the costly search for
-/// an edge near each sample stops.
-constexpr long long kMaxSearched = 1000;
-
-/// Classifies an outlier and counts it.
-PixelClass count_outlier(const Reference& reference, const Shot& shot, const TheirPixel& theirs,
-                         Comparison& result) {
-  constexpr std::size_t kMaxPlaces = 10;
-  const PixelClass why = explain(reference, shot, theirs);
-  ++result.outliers;
-  ++result.classes[std::size_t(why)];
-  if (why == PixelClass::kUnexplained && result.unexplained.size() < kMaxPlaces) {
-    result.unexplained.push_back(theirs.place);
+void check_shares(const Reference& reference, const Allowances& allowances, Comparison& result) {
+  long long total = 0;
+  const auto add = [&](std::size_t allowance, long long count) {
+    result.shares.push_back(
+        class_share(allowance, count, result.covered, reference.silhouette_length, allowances));
+  };
+  for (std::size_t i = 0; i < std::size_t(PixelClass::kUnexplained); ++i) {
+    if (result.classes[i] == 0) continue;
+    add(i, result.classes[i]);
+    if (!allowances.stated[i]) total += result.classes[i];  // else it has leave of its own
   }
-  return why;
+  if (total > 0) add(kTotalAllowance, total);
 }
 
-void count_coverage(const Reference& reference, PixelPlace place, double edge, Comparison& result) {
-  ++result.coverage_differs;
-  const bool search = result.coverage_unexplained < kMaxSearched;
-  if (!search || !explains_coverage(reference, place, edge)) ++result.coverage_unexplained;
+/// With so many looked at, and more unexplained than is granted, the pictures differ, whatever the
+/// rest are.
+constexpr std::size_t kEnough = 1024;
+
+/// Calls look(i) for the indices below `count`, on all cores, in rounds that each spread over all
+/// of them; stops after a round when `is_enough` holds. Returns how many were looked at.
+template <class Look, class IsEnough>
+std::size_t look_at(std::size_t count, const Look& look, const IsEnough& is_enough) {
+  const std::size_t rounds = (count + kEnough - 1) / kEnough;
+  std::size_t seen = 0;
+  for (std::size_t first = 0; first < rounds && !(seen > 0 && is_enough()); ++first) {
+    const std::size_t size = (count - first + rounds - 1) / rounds;
+    oneapi::tbb::parallel_for(std::size_t{0}, size,
+                              [&](std::size_t i) { look(first + i * rounds); });
+    seen += size;
+  }
+  return seen;
+}
+
+/// Finds the classes of the pixels in `outliers`, indices of `pixels`, and counts them.
+void classify(const Explainer& explainer, const Image& theirs, bool limited, const Limits& limits,
+              long long allowed, const std::vector<std::size_t>& outliers,
+              std::vector<PixelError>& pixels, Comparison& result) {
+  std::atomic<long long> unexplained = 0;
+  const auto look = [&](std::size_t i) {
+    PixelError& pixel = pixels[outliers[i]];
+    const Rgb& color = theirs.at(pixel.place.x, pixel.place.y).color;
+    pixel.why = explainer.explain({pixel.place, color, limits.outlier, limits.edge, limited});
+    if (pixel.why == PixelClass::kUnexplained) ++unexplained;
+  };
+  const std::size_t seen =
+      look_at(outliers.size(), look, [&] { return unexplained.load() > allowed; });
+  result.outliers = (long long)outliers.size();
+  result.unsearched = result.outliers - (long long)seen;
+  constexpr std::size_t kMaxPlaces = 10;
+  for (const std::size_t i : outliers) {
+    ++result.classes[std::size_t(*pixels[i].why)];
+    if (pixels[i].why == PixelClass::kUnexplained && result.unexplained.size() < kMaxPlaces) {
+      result.unexplained.push_back(pixels[i].place);
+    }
+  }
+}
+
+void count_coverage(const Reference& reference, const std::vector<PixelPlace>& places, double edge,
+                    Comparison& result) {
+  std::atomic<long long> explained = 0;
+  std::atomic<long long> unexplained = 0;
+  const auto look = [&](std::size_t i) {
+    ++(explains_coverage(reference, places[i], edge) ? explained : unexplained);
+  };
+  look_at(places.size(), look, [&] { return unexplained.load() > 0; });
+  result.coverage_differs = (long long)places.size();
+  result.coverage_unexplained = result.coverage_differs - explained.load();
 }
 
 }  // namespace
+
+Outcome Comparison::outcome() const {
+  if (!exceeded.empty()) return Outcome::kDiffered;
+  return std::ranges::any_of(shares, &ClassShare::exceeded) ? Outcome::kExplained
+                                                            : Outcome::kAgreed;
+}
 
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
-                   const Image& theirs, bool limited, const Limits& limits) {
+                   const Image& theirs, bool limited, const Limits& limits,
+                   const Allowances& allowances) {
   Comparison result;
   std::vector<PixelError> pixels;
+  std::vector<std::size_t> outliers;
+  std::vector<PixelPlace> half_covered;
+  result.has_no_coverage =
+      std::ranges::none_of(theirs.pixels, [](const RgbaPixel& p) { return p.coverage > 0.5f; });
   for (int y = 0; y < theirs.height; ++y) {
     for (int x = 0; x < theirs.width; ++x) {
       const bool covered = ours.at(x, y).coverage > 0.5f;
       const RgbaPixel& their = theirs.at(x, y);
       result.covered += covered;
-      if (covered != (their.coverage > 0.5f)) {
-        count_coverage(reference, {x, y}, limits.edge, result);
-        continue;
-      }
-      if (!covered) continue;
-      PixelError pixel{channel_error(to_vec(ours.at(x, y).color), their.color, limited),
-                       {x, y},
-                       reference.silhouettes.at(x, y) == 0,
-                       false};
-      if (!(pixel.error <= limits.outlier)) {
-        const bool search = result.classes[std::size_t(PixelClass::kUnexplained)] < kMaxSearched;
-        const PixelClass why = count_outlier(
-            reference, shot, {{x, y}, their.color, limits.outlier, limits.edge, limited, search},
-            result);
-        pixel.classed = why != PixelClass::kUnexplained;
-      }
-      pixels.push_back(pixel);
+      const bool differs = covered != (their.coverage > 0.5f);
+      if (differs) half_covered.push_back({x, y});
+      if (!covered || (differs && !result.has_no_coverage)) continue;
+      const double error = channel_error(to_vec(ours.at(x, y).color), their.color, limited);
+      const bool is_outlier = !(error <= limits.outlier);
+      if (is_outlier) outliers.push_back(pixels.size());
+      pixels.push_back({error, {x, y}, reference.silhouettes.at(x, y) == 0, {}});
+      if (is_outlier) pixels.back().why = PixelClass::kUnexplained;
     }
   }
+  count_coverage(reference, half_covered, limits.edge, result);
+  classify(Explainer(reference, shot), theirs, limited, limits, granted(limits, reference),
+           outliers, pixels, result);
   summarise(std::move(pixels), result);
-  check(limits, result);
+  check(limits, reference, result);
+  check_shares(reference, allowances, result);
   return result;
 }
 

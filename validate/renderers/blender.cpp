@@ -153,8 +153,8 @@ extern const RendererEntry kEeveeEntry{
     .limits = {.edge = 1.0 / 128,
                .mean = 5e-4,
                .p999 = 5e-3,
-               .outlier = 2e-2,
-               .unexplained = 5,
+               .outlier = 5e-3,
+               .unexplained = 0.01,
                .reason =
                    "the OpenGL rasteriser snaps vertices to a grid of 1/256 pixel: that moves what "
                    "a sample sees by up to 0.004 pixel, and turns the plane of triangles thinner "

@@ -21,8 +21,8 @@ RenderedShot checked_image(const std::function<Image()>& read) {
   } catch (const std::runtime_error& e) {
     return undrawn(1, RenderedShot::Status::kFailed, e.what()).front();
   }
-  const bool shows =
-      std::ranges::any_of(drawn.image.pixels, [](const RgbaPixel& p) { return p.coverage > 0; });
+  const bool shows = std::ranges::any_of(
+      drawn.image.pixels, [](const RgbaPixel& p) { return p.coverage > 0 || p.color != Rgb{}; });
   if (!shows) return undrawn(1, RenderedShot::Status::kFailed, "the image is blank").front();
   const bool finite = std::ranges::all_of(drawn.image.pixels, [](const RgbaPixel& p) {
     return is_finite(to_vec(p.color)) && std::isfinite(p.coverage);

@@ -12,7 +12,7 @@
 namespace lumaknot::validate {
 
 /// The image that `read` returns, believed only when it throws no std::runtime_error, is finite and
-/// shows something; else why not.
+/// shows something, be it with an alpha of 0; else why not.
 RenderedShot checked_image(const std::function<Image()>& read);
 
 /// The image in `path`, believed as above when it decodes and has the scene's size.

@@ -142,7 +142,7 @@ constexpr Limits kLimits{
     .mean = 5e-4,
     .p999 = 5e-3,
     .outlier = 5e-3,
-    .unexplained = 5,
+    .unexplained = 0.002,
     .reason =
         "the rasteriser snaps vertices to a grid of 1/256 pixel: that moves what a sample "
         "sees by up to 0.004 pixel, and turns the plane of triangles thinner than the grid; "

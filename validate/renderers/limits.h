@@ -13,7 +13,7 @@ struct Limits {
                     ///< one image needs an edge of the surface as near as that
   double mean = kNone, p999 = kNone, p9999 = kNone;  ///< inside, without classified outliers
   double outlier = kNone;                            ///< a larger error needs a class
-  long long unexplained = 0;                         ///< outliers without a class
+  double unexplained = 0;  ///< outliers without a class, as a share of the silhouette's length
   std::string_view reason;
 
   static constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -20,13 +20,26 @@ std::string report_json(const Validation& validation, const ReportHead& head);
 /// numbers, versions, seconds and commands.
 std::string report_html(const Validation& validation, const ReportHead& head);
 
-/// "agreed", "differed", "failed" or "skipped", as in both forms.
+/// A JUnit file for build servers: a test case per renderer and rung, without times.
+std::string report_junit(const Validation& validation, const ReportHead& head);
+
+/// "agreed", "explained", "differed", "failed" or "skipped", as in all forms.
 std::string_view outcome(const Judged& shot);
 
 /// The same for the coverage rung.
 std::string_view coverage_outcome(const RendererResult& result);
 
-/// "agreed", "differed" or "nothing to compare".
+/// "agreed", "explained" or "differed".
+std::string_view outcome_name(Outcome outcome);
+
+/// "agreed", "explained", "differed" or "nothing to compare".
 std::string_view verdict_name(Verdict verdict);
+
+/// "turned normal 18.5 % of the covered pixels".
+std::string share_text(const ClassShare& share);
+
+/// Which classes are beyond what is allowed, and the flag that would allow them; `shares` holds
+/// one at least.
+std::string explanation(const std::vector<ClassShare>& shares);
 
 }  // namespace lumaknot::validate

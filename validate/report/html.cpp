@@ -23,9 +23,11 @@ std::string limit_text(std::string_view name, double limit) {
 
 std::string limits_text(const Limits& l) {
   return fmt::format(
-      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained ≤ {}. {}",
+      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained ≤ {:g} % of "
+      "the "
+      "silhouette. {}",
       l.edge, limit_text("mean", l.mean), limit_text("p99.9", l.p999),
-      limit_text("p99.99", l.p9999), l.outlier, l.unexplained, l.reason);
+      limit_text("p99.99", l.p9999), l.outlier, 100 * l.unexplained, l.reason);
 }
 
 std::string details(const Judged& judged) {
@@ -33,6 +35,9 @@ std::string details(const Judged& judged) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < c.classes.size(); ++i) {
     if (c.classes[i]) parts.push_back(fmt::format("{} {}", c.classes[i], kPixelClassNames[i]));
+  }
+  for (const ClassShare& share : c.shares) {
+    if (share.exceeded) parts.push_back("beyond what is allowed: " + share_text(share));
   }
   for (const std::string& line : c.exceeded) parts.push_back("exceeded: " + line);
   for (const std::string& line : {judged.drawn.why, judged.drawn.note}) {
@@ -55,6 +60,7 @@ Data row_data(const Shot& shot, const std::string& renderer, const Judged& judge
   row.set("p99", number(c.p99));
   row.set("p999", number(c.p999));
   row.set("max", number(c.max));
+  row.set("judged", fmt::format("{:.2e}, {:.2e}", c.mean_unclassed, c.p999_unclassed));
   row.set("max_at", fmt::format("{}, {}", c.max_at.x, c.max_at.y));
   row.set("outliers", std::to_string(c.outliers));
   row.set("details", details(judged));

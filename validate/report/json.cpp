@@ -19,6 +19,23 @@ Json classes_json(const Comparison& c) {
   return classes;
 }
 
+Json share_json(const ClassShare& share) {
+  return {{"class", allowance_title(share.allowance)},
+          {"allow", kAllowanceNames[share.allowance]},
+          {"pixels", share.count},
+          {"share", share.share()},
+          {"of", is_of_silhouette(share.allowance) ? "silhouette" : "covered pixels"},
+          {"of_pixels", share.of},
+          {"allowed_share", share.cap},
+          {"exceeded", share.exceeded}};
+}
+
+Json shares_json(const std::vector<ClassShare>& shares) {
+  Json list = Json::array();
+  for (const ClassShare& share : shares) list.push_back(share_json(share));
+  return list;
+}
+
 Json comparison_json(const Comparison& c) {
   Json unexplained = Json::array();
   for (const PixelPlace& p : c.unexplained) unexplained.push_back(place_json(p));
@@ -38,6 +55,8 @@ Json comparison_json(const Comparison& c) {
           {"max_at", place_json(c.max_at)},
           {"outliers", c.outliers},
           {"outlier_classes", classes_json(c)},
+          {"outliers_not_searched", c.unsearched},
+          {"class_shares", shares_json(c.shares)},
           {"unexplained_at", unexplained},
           {"limits_exceeded", c.exceeded}};
 }
@@ -69,12 +88,18 @@ Json limits_json(const Limits& l) {
           {"p99.9", limit_json(l.p999)},
           {"p99.99", limit_json(l.p9999)},
           {"outlier", limit_json(l.outlier)},
-          {"unexplained", l.unexplained},
+          {"unexplained_share_of_silhouette", l.unexplained},
           {"reason", l.reason}};
 }
 
 Json first_difference_json(const RendererResult& result) {
   return result.first_difference.empty() ? Json() : Json(result.first_difference);
+}
+
+/// Of a renderer that drew nothing: why.
+std::string_view renderer_outcome(const RendererResult& result) {
+  const bool nothing = result.outcome() == Outcome::kAgreed && !result.drew_any();
+  return nothing ? outcome(result.shots.front()) : outcome_name(result.outcome());
 }
 
 Json renderer_json(const Validation& validation, const RendererResult& result) {
@@ -92,7 +117,10 @@ Json renderer_json(const Validation& validation, const RendererResult& result) {
           {"coverage",
            {{"outcome", coverage_outcome(result)},
             {"coverage_differs", result.coverage_differs},
-            {"unexplained", result.coverage_unexplained}}},
+            {"unexplained", result.coverage_unexplained},
+            {"explained", share_json(result.coverage_share)}}},
+          {"outcome", renderer_outcome(result)},
+          {"explained", shares_json(result.explained)},
           {"first_difference", first_difference_json(result)},
           {"shots", shots}};
 }
@@ -110,22 +138,6 @@ Json own_json(const Validation& validation) {
 }
 
 }  // namespace
-
-std::string_view outcome(const Judged& shot) {
-  if (shot.drawn.status == RenderedShot::Status::kSkipped) return "skipped";
-  if (shot.drawn.status == RenderedShot::Status::kFailed) return "failed";
-  return shot.comparison.agrees() ? "agreed" : "differed";
-}
-
-std::string_view coverage_outcome(const RendererResult& result) {
-  if (!result.drew_any()) return outcome(result.shots.front());
-  return result.coverage_unexplained == 0 ? "agreed" : "differed";
-}
-
-std::string_view verdict_name(Verdict verdict) {
-  if (verdict == Verdict::kAgreed) return "agreed";
-  return verdict == Verdict::kDiffered ? "differed" : "nothing to compare";
-}
 
 std::string report_json(const Validation& validation, const ReportHead& head) {
   double slowest = 0;

@@ -45,7 +45,7 @@ TEST(Compare, our_own_picture_agrees_exactly) {
   EXPECT_EQ(c.coverage_differs, 0);
   EXPECT_EQ(c.max, 0);
   EXPECT_EQ(c.outliers, 0);
-  EXPECT_TRUE(c.agrees());
+  EXPECT_EQ(c.outcome(), Outcome::kAgreed);
 }
 
 TEST(Compare, counts_every_pixel_covered_in_one_picture_only) {
@@ -85,7 +85,7 @@ TEST(Compare, finds_the_place_of_the_largest_error) {
   EXPECT_EQ(std::size_t(c.max_at.y * theirs.width + c.max_at.x), inside);
   EXPECT_EQ(bench.count(c, PixelClass::kUnexplained), 1);
   ASSERT_EQ(c.unexplained.size(), 1u);
-  EXPECT_FALSE(c.agrees()) << "one unexplained pixel is enough";
+  EXPECT_EQ(c.outcome(), Outcome::kDiffered) << "one unexplained pixel is enough";
 }
 
 TEST(Compare, limits_ours_only_when_theirs_is_limited) {
@@ -98,6 +98,55 @@ TEST(Compare, limits_ours_only_when_theirs_is_limited) {
   }
   EXPECT_EQ(bench.compare_with(shot, theirs, true).max, 0);
   EXPECT_GT(bench.compare_with(shot, theirs, false).max, 1);
+}
+
+TEST(Compare, judges_colours_alone_of_a_picture_without_coverage) {
+  const Bench bench{small_scene()};
+  const Shot shot = final_shot("phong");
+  Image theirs = shade_all(bench.scene, shot, bench.fragments);
+  for (RgbaPixel& p : theirs.pixels) p.coverage = 0;
+  const Comparison c = bench.compare_with(shot, theirs);
+  EXPECT_TRUE(c.has_no_coverage);
+  EXPECT_EQ(c.coverage_unexplained, c.covered);
+  EXPECT_EQ(c.max, 0);
+  EXPECT_EQ(c.outcome(), Outcome::kAgreed) << "coverage is a rung of its own";
+}
+
+TEST(Compare, gives_up_the_search_where_a_picture_differs_everywhere) {
+  const Bench bench{small_scene(128)};
+  const Shot shot = final_shot("phong");
+  Image theirs = shade_all(bench.scene, shot, bench.fragments);
+  for (RgbaPixel& p : theirs.pixels) p.color = {p.color.b, p.color.r, p.color.g + 0.5f};
+  const Comparison c = bench.compare_with(shot, theirs);
+  EXPECT_EQ(c.outliers, c.covered);
+  EXPECT_GT(c.unsearched, c.covered / 2);
+  EXPECT_EQ(bench.count(c, PixelClass::kUnexplained), c.covered);
+  EXPECT_EQ(c.outcome(), Outcome::kDiffered);
+}
+
+TEST(Compare, of_more_known_differences_than_are_allowed_is_explained) {
+  const Bench bench{small_scene()};
+  const Shot shot = final_shot("phong");
+  Bench bent = bench;
+  for (Fragment& f : bent.fragments.pixels) f.normal = -f.normal;
+  const Image theirs = shade_all(bench.scene, shot, bench.fragments);
+  const Image ours = shade_all(bent.scene, shot, bent.fragments);
+  const Reference reference(bent.scene, bent.fragments);
+  const auto judged = [&](const Allowances& allowances) {
+    return compare(reference, shot, ours, theirs, false, kLimits, allowances);
+  };
+  const Comparison usual = judged({});
+  EXPECT_EQ(usual.outcome(), Outcome::kExplained);
+  const auto turned = std::size_t(PixelClass::kTurnedNormal);
+  ASSERT_EQ(usual.shares.front().allowance, turned);
+  EXPECT_GT(usual.shares.front().share(), 0.5);
+  EXPECT_GT(usual.mean, 0.01) << "the error of all pixels is not that of the judged ones";
+  EXPECT_EQ(usual.mean_unclassed, 0);
+  Allowances generous;
+  generous.stated[turned] = 1;
+  EXPECT_EQ(judged(generous).outcome(), Outcome::kAgreed);
+  generous.stated[turned] = 0.5;
+  EXPECT_EQ(judged(generous).outcome(), Outcome::kExplained);
 }
 
 TEST(Explain, names_a_normal_turned_to_the_viewer) {
@@ -154,7 +203,7 @@ TEST(Explain, does_not_explain_inward_winding_or_a_wrong_light) {
   std::get<PointLight>(wrong.view.lights[0]).position.x += 0.05;
   const Comparison c = bench.compare_with(shot, shade_all(wrong, shot, bench.fragments));
   EXPECT_GT(bench.count(c, PixelClass::kUnexplained), 100);
-  EXPECT_FALSE(c.agrees());
+  EXPECT_EQ(c.outcome(), Outcome::kDiffered);
 }
 
 TEST(Explain, names_a_sample_that_an_edge_of_the_surface_passes_by) {
@@ -194,7 +243,7 @@ TEST(Explain, names_a_ray_that_slipped_between_two_triangles) {
   const Shot shot{"diffuse", Stage::kDiffuse, {}};
   Image theirs = shade_all(scene, shot, bench.fragments);
   const auto slip = [&](int x, int y) {
-    const Fragment behind = bench.reference.rasterizer.at(x + 0.5, y + 0.5, 4.5);
+    const Fragment behind = bench.reference.probe.at(x + 0.5, y + 0.5, 4.5);
     theirs.at(x, y).color = to_rgb(shade(scene, shot, behind));
   };
   slip(40, 23);  // on the diagonal
