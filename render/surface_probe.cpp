@@ -42,6 +42,20 @@ struct NearTriangle {
   std::vector<ClipCorner> part;
 };
 
+/// Whether the triangle lies before the eye and wholly on one side of the square.
+bool misses_square(const Rasterizer& rasterizer, std::uint32_t triangle, double x, double y,
+                   double distance) {
+  int left = 0, right = 0, above = 0, below = 0;
+  for (const std::uint32_t v : rasterizer.mesh().triangles[triangle]) {
+    const Vec3d& view = rasterizer.view_position(v);
+    if (!(view.z >= rasterizer.nearest())) return false;
+    const Vec3d image = rasterizer.projection().to_image(view);
+    left += image.x<x - distance, right += image.x> x + distance;
+    above += image.y<y - distance, below += image.y> y + distance;
+  }
+  return left == 3 || right == 3 || above == 3 || below == 3;
+}
+
 /// The corners of the triangle's part within the square; none if it reaches before the near plane.
 std::vector<ClipCorner> part_in_square(const Rasterizer& rasterizer, std::uint32_t triangle,
                                        double x, double y, double distance) {
@@ -149,11 +163,7 @@ std::vector<std::uint32_t> SurfaceProbe::triangles_around(double x, double y,
 std::vector<Fragment> SurfaceProbe::around(double x, double y, double distance) const {
   std::vector<NearTriangle> triangles;
   for (const std::uint32_t t : triangles_around(x, y, distance)) {
-    const Rasterizer::Bounds bounds = rasterizer_.bounds(rasterizer_.mesh().triangles[t]);
-    if (bounds.x0 > x + distance || bounds.x1 < x - distance || bounds.y0 > y + distance ||
-        bounds.y1 < y - distance) {
-      continue;
-    }
+    if (misses_square(rasterizer_, t, x, y, distance)) continue;
     triangles.push_back({t, rasterizer_.edges(t), part_in_square(rasterizer_, t, x, y, distance)});
   }
   std::vector<Fragment> seen;

@@ -84,7 +84,7 @@ void check_shares(const Reference& reference, const Allowances& allowances, Comp
 
 /// With so many looked at, and more unexplained than is granted, the pictures differ, whatever the
 /// rest are.
-constexpr std::size_t kEnough = 1024;
+constexpr std::size_t kEnough = 256;
 
 /// Calls look(i) for the indices below `count`, on all cores, in rounds that each spread over all
 /// of them; stops after a round when `is_enough` holds. Returns how many were looked at.

@@ -7,6 +7,7 @@
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
+#include "validate/report/forms.h"
 #include "validate/run.h"
 
 namespace lumaknot::validate {
@@ -158,9 +159,13 @@ TEST(GrazingView, of_a_thin_tube_in_a_noisy_texture_agrees_in_every_renderer) {
   for (const NamedMaterial& m : paper_materials()) {
     job.finals.push_back({std::string(m.name), Stage::kFinal, *with_formula(Material{}, m.name)});
   }
+  // Of a tube with eight sides, smooth normals face away at more of the rim than usual.
+  job.allowances.stated[std::size_t(PixelClass::kTurnedNormal)] = 0.02;
   const Validation v = validate(job);
   for (const RendererResult& result : v.results) {
     EXPECT_EQ(result.first_difference, "") << result.rendering.renderer;
+    EXPECT_TRUE(result.explained.empty())
+        << result.rendering.renderer << " " << explanation(result.explained);
     for (const Judged& shot : result.shots) {
       EXPECT_THAT(shot.comparison.exceeded, ::testing::IsEmpty());
     }
