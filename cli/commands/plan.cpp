@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlanFlags {
-  std::string scene = "figure2", output = "plan", tolerance = "1/255";
+  std::string scene = "figure2", output = "plan", tolerance = "1/255", in_place = "0%";
   double shift = plan::Tolerance{}.shift;
   bool exhaustive = false;
   int rounds = 5;
@@ -92,7 +92,8 @@ std::string progress_message(const plan::PlanJob& job, const std::string& folder
 }
 
 int run(const PlanFlags& flags) {
-  const plan::Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift};
+  const plan::Tolerance tolerance{tolerance_of(flags.tolerance), flags.shift,
+                                  share_of("--in-place", flags.in_place)};
   plan::check_tolerance(tolerance, false);
   const SceneInput input = read_scene(flags.scene);
   check_no_input_overwritten(input, flags.output);
@@ -128,6 +129,10 @@ std::vector<Argument> plan_arguments(PlanFlags& flags) {
        .meaning = "pixels that a point may be out of place; with 0, no edge can meet the tolerance",
        .range = kNotNegative,
        .checked = false},
+      {.names = "--in-place",
+       .target = &flags.in_place,
+       .meaning = "share of the pixels that must meet the tolerance without the shift, as 99%",
+       .value = "SHARE"},
       {.names = "--exhaustive",
        .target = &flags.exhaustive,
        .meaning = "measure every choice, to report how close to the best the plan is"},
@@ -153,7 +158,8 @@ Subcommand plan_command() {
               "Exit code: 0 the tolerance is met, 1 it can't be met, 2 invalid usage or input.",
           .examples = {{"lumaknot plan -o plan/"},
                        {"lumaknot plan scene.json --tolerance 1/255 -o plan/"},
-                       {"lumaknot plan scene.json --tolerance 0.02 --shift 0.5 --exhaustive"}},
+                       {"lumaknot plan scene.json --tolerance 0.02 --shift 0.5 --exhaustive"},
+                       {"lumaknot plan scene.json --in-place 99%"}},
           .run = [flags] {
             const InterruptGuard guard;
             return run(*flags);

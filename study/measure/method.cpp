@@ -24,6 +24,10 @@ int root_of(int samples) { return int(std::lround(std::sqrt(samples))); }
 
 }  // namespace
 
+std::string_view number_name(Number number) { return kNumberNames[std::size_t(number)]; }
+
+std::string_view filter_name(Filter filter) { return kFilterNames[std::size_t(filter)]; }
+
 Method with_grid(Method method, const GridSize& grid) {
   method.segments = grid.segments;
   method.sides = grid.sides;
@@ -34,8 +38,8 @@ std::string method_name(const Method& m) {
   const std::string grid = m.segments > 0 ? fmt::format("{}x{}", m.segments, m.sides) : "mesh";
   return fmt::format("{} {} {}{} {} {} {}x{}", grid, kFrequencyNames[std::size_t(m.rate)],
                      kSpaceNames[std::size_t(m.space)], kFormulaEnds[std::size_t(m.formula)],
-                     kNumberNames[std::size_t(m.number)], kFilterNames[std::size_t(m.filter)],
-                     m.samples, m.culls ? " culled" : "");
+                     number_name(m.number), filter_name(m.filter), m.samples,
+                     m.culls ? " culled" : "");
 }
 
 std::string method_shortfall(const Method& m) {

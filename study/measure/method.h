@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "render/filter.h"
 #include "scene/image.h"
@@ -20,6 +21,10 @@ enum class Formula {
 
 /// The number type of light and colour.
 enum class Number { kHalf, kFloat, kDouble };
+
+/// "float", "bilinear".
+std::string_view number_name(Number number);
+std::string_view filter_name(Filter filter);
 
 /// Half is computed in software (shaders/graph/half.h), so its time says nothing about hardware.
 struct Method {

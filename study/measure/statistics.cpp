@@ -47,6 +47,13 @@ double paired_ratio(std::span<const double> above, std::span<const double> below
   return median(std::move(ratios));
 }
 
+std::string shown_share(double share) {
+  const double percent = 100 * share, rest = std::min(percent, 100 - percent);
+  if (!(rest > 0)) return fmt::format("{:.0f} %", percent);
+  const int decimals = std::clamp(1 - int(std::floor(std::log10(rest))), 1, 9);
+  return fmt::format("{:.{}f} %", percent, decimals);
+}
+
 std::string shown_time(double milliseconds) {
   const double rounded = std::stod(fmt::format("{:.2e}", milliseconds));
   const int place = rounded > 0 ? int(std::floor(std::log10(rounded))) : 0;

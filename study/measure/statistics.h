@@ -33,6 +33,10 @@ Spread spread_of(std::span<const double> values);
 /// machine for a while slows both. Equally many of each, at least one.
 double paired_ratio(std::span<const double> above, std::span<const double> below);
 
+/// A share in [0, 1] as text, "42.6 %": at least one decimal and two digits of it or of what it
+/// lacks; "0 %" and "100 %" are exact.
+std::string shown_share(double share);
+
 /// A time as text: three digits, and all before the decimal point.
 std::string shown_time(double milliseconds);
 

@@ -196,7 +196,10 @@ std::vector<Attribution> attribute(const measure::Method& closest, const Candida
                                    const ToleranceChecker& checker, measure::MethodBench& bench) {
   const double color = checker.tolerance().color;
   const auto fails = [&](float error) { return !(error <= color); };
-  const Grid<float> errors = checker.check_all(bench.draw(closest)).errors;
+  const PixelErrors closest_errors = checker.check_all(bench.draw(closest));
+  const bool in_place = closest_errors.total.failing == 0;  // only the demanded share is missed
+  const Grid<float> PixelErrors::*judged = in_place ? &PixelErrors::in_place : &PixelErrors::errors;
+  const Grid<float>& errors = closest_errors.*judged;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < errors.pixels.size(); ++i) {
     if (fails(errors.pixels[i])) left.push_back(i);
@@ -208,7 +211,7 @@ std::vector<Attribution> attribute(const measure::Method& closest, const Candida
   };
   for (const Mended& m : mended(closest, candidates)) {
     if (left.empty()) break;
-    const Grid<float> now = checker.check_all(bench.draw(m.method)).errors;
+    const Grid<float> now = checker.check_all(bench.draw(m.method)).*judged;
     put(m.part, [&](std::size_t i) { return !fails(now.pixels[i]); });
   }
   const Grid<SeenPlace> places = places_of(checker.fragments());

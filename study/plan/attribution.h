@@ -32,9 +32,10 @@ struct Attribution {
   long long pixels = 0;
 };
 
-/// Why the closest method does not meet the tolerance, most pixels first: each failing pixel is
-/// attributed to the first part whose exact form fixes it: precision, filter, samples, shading,
-/// tessellation; or to edges, where the surface ends or passes behind itself within a pixel.
+/// Why the closest method does not meet the tolerance, most pixels first: each failing pixel (if
+/// none fails and too few are within it in place, each of the others) is attributed to the first
+/// part whose exact form fixes it: precision, filter, samples, shading, tessellation; or to edges,
+/// where the surface ends or passes behind itself within a pixel.
 std::vector<Attribution> attribute(const measure::Method& closest, const Candidates& candidates,
                                    const ToleranceChecker& checker, measure::MethodBench& bench);
 

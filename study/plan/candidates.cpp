@@ -35,7 +35,8 @@ measure::GridSize lean_size(const KnotSpec& knot, const Predictor& predictor) {
 
 bool is_fine_enough(const measure::GridSize& grid, const KnotSpec& knot,
                     const Predictor& predictor) {
-  const double shift = std::max(predictor.tolerance().shift, 0.05);
+  const Tolerance& tolerance = predictor.tolerance();
+  const double shift = tolerance.in_place > 0 ? 0.05 : std::max(tolerance.shift, 0.05);
   const bool fine = predictor.of(measure::with_grid({}, grid)).place <= shift / 8;
   return fine && triangles_of(grid, 1) >= 4 * triangles_of({knot.segments, knot.sides}, 1);
 }

@@ -18,8 +18,9 @@ struct Candidates {
 
 /// Grids by rising number of triangles, each about 1.4 times as many as the one before: those in
 /// the proportion of the fewest triangles within a distance, from three sides up, and the scene's
-/// own among them. They end where the predicted shift is an eighth of what is allowed and there are
-/// four times the triangles of the scene's own, and at two million triangles in any case.
+/// own among them. They end where the predicted shift is an eighth of what is allowed (of a
+/// twentieth of a pixel if a share is demanded in place) and there are four times the triangles of
+/// the scene's own, and at two million triangles in any case.
 std::vector<measure::GridSize> grid_ladder(const KnotSpec& knot, const Predictor& predictor);
 
 /// All methods for a scene of `material` and `texture`, without grids: lighting per pixel or per

@@ -29,8 +29,9 @@ const KnotSpec& knot_of(const PlanJob& job) {
 }
 
 std::string key_of(const PlanJob& job) {
-  return fmt::format("{} {} {} {}", measure::scene_key(job.scene, job.spec.mesh),
-                     measure::program_key(), job.tolerance.color, job.tolerance.shift);
+  const Tolerance& t = job.tolerance;
+  return fmt::format("{} {} {} {} {}", measure::scene_key(job.scene, job.spec.mesh),
+                     measure::program_key(), t.color, t.shift, t.in_place);
 }
 
 std::vector<Fragment> covered(const Grid<exact::ExactFragment>& fragments) {
@@ -151,9 +152,20 @@ class Planning {
     plan_.chosen.result = errors.total;
     plan_.in_place = error_picture(errors.in_place, job_.tolerance.color);
     plan_.errors = error_picture(errors.errors, job_.tolerance.color);
-    plan_.fast = checker.check(fast_image(job_.scene));
+    plan_.fast = checker.check_all(fast_image(job_.scene)).total;
     plan_.before = render(job_.scene, [](double) { check_interrupted(); });
+    compare_in_place(checker.check_all(plan_.before), errors);
     plan_.simplified = lean_spec(method);
+  }
+
+  void compare_in_place(const PixelErrors& before, const PixelErrors& after) {
+    plan_.reference = before.total;
+    for (std::size_t i = 0; i < after.in_place.pixels.size(); ++i) {
+      const bool met_before = before.in_place.pixels[i] <= job_.tolerance.color;
+      const bool met_after = after.in_place.pixels[i] <= job_.tolerance.color;
+      plan_.lost_in_place += met_before && !met_after;
+      plan_.won_in_place += met_after && !met_before;
+    }
   }
 
   /// The smaller scene as written to scene.json.

@@ -1,7 +1,6 @@
 /// The cheapest model of a scene that meets a tolerance.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -44,17 +43,14 @@ struct Plan {
   int considered = 0;                  ///< the number of choices
   SceneSpec simplified;                ///< the smaller scene, to be drawn with render_arguments()
   double reference_milliseconds = 0, fast_milliseconds = 0;  ///< before, one thread
-  ToleranceResult fast;                   ///< of the scene as --fast draws it, before
+  ToleranceResult reference, fast;  ///< of the scene as the reference and as --fast draw it, before
+  /// Pixels within the tolerance in place in the reference's picture and not in the plan's, and the
+  /// other way about.
+  long long lost_in_place = 0, won_in_place = 0;
   std::optional<PlanChoice> best_of_all;  ///< of the exhaustive search
   double time_to_best = 0;  ///< the chosen time over that of best_of_all, the same rounds
   Image before, after;      ///< the reference, the plan's picture
   Image in_place, errors;   ///< the errors of `after`, in place and after the shift
-
-  /// Pixels that meet the tolerance only by the shift: the count, and their share.
-  long long shifted() const { return chosen.result.shifted - chosen.result.failing; }
-  double shifted_share() const {
-    return double(shifted()) / double(std::max(1LL, chosen.result.covered));
-  }
 };
 
 /// Throws Error for a tolerance that no picture can be checked against, a mesh file, and a knot
@@ -72,12 +68,6 @@ std::size_t measured_choices(const PlanJob& job, const std::filesystem::path& fo
 
 /// The arguments of `lumaknot render SCENE -o PICTURE` that draw the plan's scene as planned.
 std::vector<std::string> render_arguments(const measure::Method& method);
-
-/// A warning if many pixels meet the tolerance only by the shift; empty for few.
-std::string shift_warning(const Plan& plan);
-
-/// "1.26 times faster than", or slower.
-std::string pace_than(double before, double after);
 
 /// The certificate: tolerance, what was dropped, every choice predicted and measured, times.
 std::string plan_json(const Plan& plan);

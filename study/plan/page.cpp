@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "exporters/image/file.h"
-#include "study/plan/outcome.h"
+#include "study/measure/method_words.h"
+#include "study/measure/statistics.h"
+#include "study/plan/wording.h"
 #include "validate/report/page_kit.h"
 
 namespace lumaknot::embedded {
@@ -40,7 +42,7 @@ Data part_row(const ErrorPart& p) {
 
 Data choice_row(const PlanChoice& c) {
   Data row;
-  row.set("method", measure::method_name(c.method));
+  row.set("method", measure::method_words(c.method));
   row.set("place", number(c.predicted.place));
   row.set("shading", number_or_blank(c.predicted.shading));
   row.set("filter", number_or_blank(c.predicted.filter));
@@ -48,6 +50,27 @@ Data choice_row(const PlanChoice& c) {
   row.set("class", c.result.met ? "met" : "not");
   row.set("time", c.milliseconds > 0 ? fmt::format("{:.2f}", c.milliseconds) : "");
   return row;
+}
+
+/// How one picture meets the tolerance.
+Data result_row(const PictureResult& picture) {
+  const ToleranceResult& r = picture.result;
+  const auto share = [&](long long pixels) {
+    return fmt::format("{} ({})", measure::shown_share(r.share(pixels)), pixels);
+  };
+  Data row;
+  row.set("picture", picture.name);
+  row.set("in_place", share(r.met_in_place()));
+  row.set("by_shift", share(r.met_by_shift()));
+  row.set("failing", share(r.failing));
+  row.set("largest", fmt::format("{:.3f}", r.in_place));
+  row.set("mean", number(r.mean_in_place));
+  row.set("error", fmt::format("{:.4f}", r.error));
+  return row;
+}
+
+const char* verdict_class(Verdict verdict) {
+  return verdict == Verdict::kMet ? "met" : verdict == Verdict::kMetByShift ? "by_shift" : "not";
 }
 
 Data picture_row(const std::string& caption, const Image& image) {
@@ -75,27 +98,21 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   const double after = plan.chosen.milliseconds;
   page.set("scene", scene);
   page.set("command", command);
-  page.set("verdict", plan.met ? "Met" : "Can't be met");
-  page.set("verdict_class", plan.met ? "met" : "not");
-  page.set("method", measure::method_name(plan.chosen.method));
+  page.set("headline", headline(plan));
+  page.set("verdict_class", verdict_class(verdict_of(plan)));
+  page.set("own", own_picture_in_words(plan));
+  page.set("chosen", plan.met ? "Planned" : "Closest");
+  page.set("method", measure::method_words(plan.chosen.method));
   page.set("color", fmt::format("{:.4g}", plan.tolerance.color));
   page.set("shift", fmt::format("{:.4g}", plan.tolerance.shift));
   page.set("truth", plan.area ? "the mean over each pixel" : "the colour at each pixel's centre");
-  const ToleranceResult& judged = plan.chosen.result;
-  page.set("error", fmt::format("{:.4f}", judged.error));
-  page.set("in_place", fmt::format("{:.3f}", judged.in_place));
-  page.set("mean", number(judged.mean_in_place));
-  page.set("shifted_share",
-           fmt::format("{:.3g}", 100.0 * double(judged.shifted) / double(judged.covered)));
-  page.set("hidden", std::to_string(judged.hidden));
+  page.set("results", validate::page_list(picture_results(plan), result_row));
+  page.set("hidden", std::to_string(plan.chosen.result.hidden));
   page.set("has_shift", plan.tolerance.shift > 0);
   page.set("warning", shift_warning(plan));
   page.set("has_warning", !shift_warning(plan).empty());
-  page.set("pixels", std::to_string(judged.covered));
-  page.set("shifted", std::to_string(judged.shifted));
-  page.set("failing", std::to_string(judged.failing));
-  page.set("share", number(plan.share));
-  page.set("change", number(plan.pruning.change));
+  page.set("pixels", std::to_string(plan.chosen.result.covered));
+  page.set("left_out", left_out_in_words(plan));
   page.set("dropped", validate::page_list(plan.pruning.dropped, attempt_row));
   page.set("has_dropped", !plan.pruning.dropped.empty());
   page.set("kept", validate::page_list(plan.pruning.kept, attempt_row));
@@ -112,14 +129,14 @@ std::string plan_html(const Plan& plan, const std::string& scene, const std::str
   page.set("after", fmt::format("{:.2f}", after));
   page.set("than_reference", pace_than(plan.reference_milliseconds, after));
   page.set("than_fast", pace_than(plan.fast_milliseconds, after));
-  page.set("fast_meets", plan.fast.met ? "meets" : "does not meet");
   page.set("has_best", plan.best_of_all.has_value());
   if (plan.best_of_all) {
-    page.set("best", measure::method_name(plan.best_of_all->method));
+    page.set("best", measure::method_words(plan.best_of_all->method));
     page.set("to_best", fmt::format("{:.2f}", plan.time_to_best));
   }
   page.set("considered", std::to_string(plan.considered));
   page.set("measured", std::to_string(plan.candidates.size()));
+  page.set("legend", measure::method_legend_rows());
   page.set("choices", validate::page_list(sorted(plan.candidates), choice_row));
   Data pictures(Data::type::list);
   pictures.push_back(picture_row("before: the reference", plan.before));

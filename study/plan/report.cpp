@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/fields.h"
-#include "study/plan/outcome.h"
+#include "study/measure/method_words.h"
+#include "study/measure/statistics.h"
+#include "study/plan/wording.h"
 
 namespace lumaknot::plan {
 namespace {
@@ -37,6 +39,7 @@ Json measured_json(const ToleranceResult& j) {
 
 Json choice_json(const PlanChoice& c) {
   Json json{{"method", measure::method_name(c.method)},
+            {"words", measure::method_words(c.method)},
             {"predicted", predicted_json(c.predicted)},
             {"measured", measured_json(c.result)},
             {"met", c.result.met}};
@@ -69,30 +72,33 @@ std::string number_or_dash(const std::optional<double>& value) {
 }
 
 std::string dropped_text(const Plan& plan) {
-  if (plan.pruning.dropped.empty()) return "  nothing can be left out\n";
-  std::string text =
-      fmt::format("  {:<40} {:>10} {:>10}\n", "left out or simpler", "predicted", "measured");
+  std::string text;
+  if (!plan.pruning.dropped.empty()) {
+    text = fmt::format("  {:<40} {:>10} {:>10}\n", "left out or simpler", "predicted", "measured");
+  }
   for (const Attempt& t : plan.pruning.dropped) {
     text += fmt::format("  {:<40} {:>10} {:>10.2g}\n", t.what, number_or_dash(t.bound), t.change);
   }
-  return text + fmt::format("  {:<40} {:>10.2g} {:>10.2g}\n", "all of it, of a share of",
-                            plan.share, plan.pruning.change);
+  return text + "  " + left_out_in_words(plan) + "\n";
 }
 
 /// What was needed of the colour and of the place.
 std::string result_text(const Plan& plan) {
-  const ToleranceResult& j = plan.chosen.result;
-  std::string text = fmt::format(
-      "  in place {} of {} pixels ({:.3g} %) are beyond {:.2g}: by {:.2g} at most, the mean of all "
-      "is {:.2g}\n",
-      j.shifted, j.covered, 100.0 * double(j.shifted) / double(j.covered), plan.tolerance.color,
-      j.in_place, j.mean_in_place);
-  if (plan.tolerance.shift > 0) {
-    text += fmt::format(
-        "  within {:g} pixels {} stay beyond, {:.2g} off at most; {} count for what is hidden by "
-        "less\n",
-        plan.tolerance.shift, j.failing, j.error, j.hidden);
+  std::string text =
+      fmt::format("  {:<34} {:>11} {:>11} {:>11} {:>9} {:>9}\n", "errors in place and by the shift",
+                  "in place", "by shift", "not at all", "largest", "mean");
+  for (const auto& [name, r] : picture_results(plan)) {
+    const auto share = [&r = r](long long pixels) { return measure::shown_share(r.share(pixels)); };
+    text += fmt::format("  {:<34} {:>11} {:>11} {:>11} {:>9.2g} {:>9.2g}\n", name,
+                        share(r.met_in_place()), share(r.met_by_shift()), share(r.failing),
+                        r.in_place, r.mean_in_place);
   }
+  const ToleranceResult& r = plan.chosen.result;
+  text += fmt::format(
+      "  of {} pixels; within is {:.2g} of the largest channel, errors are those in place; {} "
+      "pixels "
+      "count for what is hidden by less than the shift\n",
+      r.covered, plan.tolerance.color, r.hidden);
   const std::string warning = shift_warning(plan);
   return warning.empty() ? text : text + "  warning: " + warning + "\n";
 }
@@ -100,12 +106,9 @@ std::string result_text(const Plan& plan) {
 std::string times_text(const Plan& plan) {
   const double after = plan.chosen.milliseconds;
   return fmt::format(
-      "  {:.2f} ms a frame on one thread, {} the reference ({:.1f} ms), {} --fast ({:.2f} ms), "
-      "whose "
-      "picture of the scene as it was {} the tolerance",
+      "  {:.2f} ms a frame on one thread, {} the reference ({:.1f} ms), {} --fast ({:.2f} ms)",
       after, pace_than(plan.reference_milliseconds, after), plan.reference_milliseconds,
-      pace_than(plan.fast_milliseconds, after), plan.fast_milliseconds,
-      plan.fast.met ? "meets" : "does not meet");
+      pace_than(plan.fast_milliseconds, after), plan.fast_milliseconds);
 }
 
 std::string parts_text(const Plan& plan) {
@@ -118,41 +121,41 @@ std::string parts_text(const Plan& plan) {
 }
 
 std::string blame_text(const Plan& plan) {
-  std::string text = "can't be met:";
+  std::string text = "\n  beyond it:";
   for (const Attribution& b : plan.blamed) {
-    text +=
-        fmt::format("{} {} pixels by {}", &b == plan.blamed.data() ? "" : ",", b.pixels, b.part);
+    text += fmt::format("{} {} pixel{} by {}", &b == plan.blamed.data() ? "" : ",", b.pixels,
+                        b.pixels == 1 ? "" : "s", b.part);
   }
   if (plan.tolerance.shift == 0) {
     text +=
-        "\nno edge can be met by colour alone: corners are snapped to parts of a pixel; allow a "
+        "\n  no edge can be met by colour alone: corners are snapped to parts of a pixel; allow a "
         "--shift";
   }
-  return text + "\nclosest: ";
+  return text + "\n  closest:";
+}
+
+Json own_json(const ToleranceResult& result) {
+  return {{"met", result.met}, {"measured", measured_json(result)}};
+}
+
+Json in_place_json(const Plan& plan) {
+  const ToleranceResult& result = plan.chosen.result;
+  return {{"pixels", result.met_in_place()},     {"share", result.share(result.met_in_place())},
+          {"demanded", plan.tolerance.in_place}, {"lacking_pixels", result.lacking},
+          {"lost_pixels", plan.lost_in_place},   {"won_pixels", plan.won_in_place}};
+}
+
+Json by_shift_json(const ToleranceResult& result) {
+  return {{"pixels", result.met_by_shift()}, {"share", result.share(result.met_by_shift())}};
 }
 
 }  // namespace
 
-std::string shift_warning(const Plan& plan) {
-  constexpr double kFew = 0.1;
-  constexpr double kCloser = 0.05;  // pixels
-  if (plan.shifted_share() <= kFew) return "";
-  return fmt::format(
-      "{:.3g} % of the pixels meet it by the shift alone: texture or edges change much within {:g} "
-      "pixels; try {}more image.samples",
-      100 * plan.shifted_share(), plan.tolerance.shift,
-      plan.tolerance.shift > kCloser ? fmt::format("--shift {:g} or ", kCloser) : "");
-}
-
-std::string pace_than(double before, double after) {
-  const double times = std::max(before, after) / std::min(before, after);
-  return fmt::format("{:.{}f} times {} than", times, times < 10 ? 2 : 1,
-                     before >= after ? "faster" : "slower");
-}
-
 std::string plan_json(const Plan& plan) {
   Json json{
       {"met", plan.met},
+      {"headline", headline(plan)},
+      {"own_picture", own_picture_in_words(plan)},
       {"tolerance", {{"color", plan.tolerance.color}, {"shift_pixels", plan.tolerance.shift}}},
       {"truth", plan.area ? "the mean over each pixel of the exact surface"
                           : "each pixel's centre on the exact surface"},
@@ -160,10 +163,12 @@ std::string plan_json(const Plan& plan) {
       {"dropped_together", {{"share", plan.share}, {"measured", plan.pruning.change}}},
       {"kept", attempts_json(plan.pruning.kept)},
       {"chosen", choice_json(plan.chosen)},
-      {"by_shift_alone", {{"pixels", plan.shifted()}, {"share", plan.shifted_share()}}},
+      {"in_place", in_place_json(plan)},
+      {"by_shift_alone", by_shift_json(plan.chosen.result)},
       {"parts", parts_json(plan.parts)},
       {"milliseconds", times_json(plan)},
-      {"before_fast", {{"met", plan.fast.met}, {"measured", measured_json(plan.fast)}}}};
+      {"before_reference", own_json(plan.reference)},
+      {"before_fast", own_json(plan.fast)}};
   if (const std::string warning = shift_warning(plan); !warning.empty()) json["warning"] = warning;
   for (const Attribution& b : plan.blamed) {
     json["blame"].push_back({{"part", b.part}, {"pixels", b.pixels}});
@@ -179,13 +184,14 @@ std::string plan_json(const Plan& plan) {
 }
 
 std::string plan_text(const Plan& plan) {
-  std::string text = plan.met ? "met: " : blame_text(plan);
-  text += measure::method_name(plan.chosen.method) + "\n" + result_text(plan) + dropped_text(plan) +
-          parts_text(plan) + times_text(plan);
+  std::string text = fmt::format("{}\n  {}", headline(plan), own_picture_in_words(plan));
+  text += plan.met ? "\n  planned:" : blame_text(plan);
+  text += fmt::format(" {}\n", measure::method_words(plan.chosen.method));
+  text += result_text(plan) + dropped_text(plan) + parts_text(plan) + times_text(plan);
   if (plan.best_of_all) {
     text += fmt::format("\n  {:.2f} times the time of the best of all {} choices, {}",
                         plan.time_to_best, plan.considered,
-                        measure::method_name(plan.best_of_all->method));
+                        measure::method_words(plan.best_of_all->method));
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lumaknot::plan {
 namespace {
@@ -25,7 +26,7 @@ class Rungs {
 
   measure::Method at(std::size_t rung) const { return measure::with_grid(method_, ladder_[rung]); }
   bool meets(std::size_t rung) { return trials_.result(at(rung)).met; }
-  bool fails_by_far(std::size_t rung) { return trials_.result(at(rung)).failing > kFar; }
+  bool fails_by_far(std::size_t rung) { return trials_.result(at(rung)).misses_by_far(); }
 
   /// The coarsest that meets the tolerance, starting at `guess`. Errors need not fall from rung to
   /// rung: below the one found all are tried until two fail by far.
@@ -263,13 +264,16 @@ std::optional<measure::Method> fastest_of_all(const Candidates& candidates,
 measure::Method closest_method(const Candidates& candidates, const MeasurementStore& store) {
   measure::Method closest =
       measure::with_grid(candidates.methods.front(), candidates.ladder.back());
-  double min = std::numeric_limits<double>::infinity();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::pair<double, double> min{kInfinity, kInfinity};
   for (const measure::GridSize& grid : candidates.ladder) {
     for (const measure::Method& without_grid : candidates.methods) {
       const measure::Method method = measure::with_grid(without_grid, grid);
       const auto known = store.results().find(measure::method_name(method));
-      if (known == store.results().end() || known->second.error >= min) continue;
-      min = known->second.error;
+      if (known == store.results().end()) continue;
+      const std::pair<double, double> missed{double(known->second.lacking), known->second.error};
+      if (missed >= min) continue;
+      min = missed;
       closest = method;
     }
   }

@@ -24,7 +24,8 @@ std::optional<measure::Method> fastest_of_all(const Candidates& candidates,
                                               const std::optional<measure::Method>& chosen,
                                               Trials& trials, int rounds, const Progress& progress);
 
-/// The method with the smallest measured error; of equals the first.
+/// The method that lacks the fewest pixels in place, and of those the one with the smallest
+/// measured error; of equals the first.
 measure::Method closest_method(const Candidates& candidates, const MeasurementStore& store);
 
 }  // namespace lumaknot::plan

@@ -20,12 +20,14 @@ Json result_json(const ToleranceResult& j) {
           {"shifted", j.shifted},
           {"hidden", j.hidden},
           {"failing", j.failing},
+          {"lacking", j.lacking},
           {"met", j.met}};
 }
 
 ToleranceResult result_from(const Json& json) {
-  return {json.at("error"),   json.at("in_place"), json.at("mean_in_place"), json.at("covered"),
-          json.at("shifted"), json.at("hidden"),   json.at("failing"),       json.at("met")};
+  return {json.at("error"),   json.at("in_place"), json.at("mean_in_place"),
+          json.at("covered"), json.at("shifted"),  json.at("hidden"),
+          json.at("failing"), json.at("lacking"),  json.at("met")};
 }
 
 }  // namespace

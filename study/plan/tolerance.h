@@ -12,6 +12,7 @@ namespace lumaknot::plan {
 struct Tolerance {
   double color = 1.0 / 255;  ///< of the largest channel, > 0 and < 1, as colours are in [0, 1]
   double shift = 0.25;       ///< pixels, >= 0; 0: every colour at its exact place
+  double in_place = 0;       ///< share of the pixels that must be within `color` without the shift
 };
 
 /// The accuracy of the truth itself, the limit of any tolerance: for pixels' centres, and for means

@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "study/measure/empty_scene.h"
@@ -47,6 +48,13 @@ void each(std::span<const std::size_t> pixels, const F& work) {
     if (k % kAsked == 0) check_interrupted();
     work(pixels[k]);
   });
+}
+
+/// The pixels that must be within the tolerance in place for `share` of all, and are not.
+long long lacking_in_place(const ToleranceResult& result, double share) {
+  constexpr double kRounding = 1e-6;  // of a product of doubles, for up to 1e9 pixels
+  const auto demanded = (long long)(std::ceil(share * double(result.covered) - kRounding));
+  return std::max(0LL, demanded - result.met_in_place());
 }
 
 constexpr int kLooks = 3;  // coarse, quick, full
@@ -181,7 +189,7 @@ PixelErrors ToleranceChecker::examine(const Image& picture, bool all) const {
   std::vector<Suspect> far = suspects(picture, result);
   double worst = 0;  // of those that fail
   while (!far.empty()) {
-    if (!all && total.failing > kFar && far.front().error <= worst) break;
+    if (!all && total.failing > ToleranceResult::kFar && far.front().error <= worst) break;
     check_interrupted();
     std::vector<Suspect> chunk = take_worst(far, kSuspects);
     oneapi::tbb::parallel_for(std::size_t{0}, chunk.size(), [&](std::size_t k) {
@@ -200,7 +208,8 @@ PixelErrors ToleranceChecker::examine(const Image& picture, bool all) const {
       std::ranges::push_heap(far, {}, &Suspect::error);
     }
   }
-  total.met = total.failing == 0;
+  total.lacking = lacking_in_place(total, tolerance_.in_place);
+  total.met = total.failing == 0 && total.lacking == 0;
   total.error = *std::ranges::max_element(result.errors.pixels);
   return result;
 }

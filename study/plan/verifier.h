@@ -1,6 +1,7 @@
 /// Whether pictures meet a tolerance.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -23,11 +24,19 @@ struct ToleranceResult {
   long long shifted = 0;     ///< those beyond the tolerance in place
   long long hidden = 0;      ///< those within it only by what less than the shift hides
   long long failing = 0;     ///< those beyond the tolerance; if stopped early, at least this many
+  long long lacking = 0;     ///< pixels that would also have to be within it in place, as demanded
   bool met = false;
-};
 
-/// If more pixels than this fail, a picture misses the tolerance by far.
-inline constexpr long long kFar = 16;
+  long long met_in_place() const { return covered - shifted; }
+  /// Those within the tolerance only by the shift; if stopped early, at most this many.
+  long long met_by_shift() const { return shifted - failing; }
+  /// `pixels` as a share of those covered, in [0, 1].
+  double share(long long pixels) const { return double(pixels) / double(std::max(1LL, covered)); }
+  /// Whether the tolerance is missed by far: by more pixels than kFar.
+  bool misses_by_far() const { return std::max(failing, lacking) > kFar; }
+
+  static constexpr long long kFar = 16;
+};
 
 /// A result pixel by pixel.
 struct PixelErrors {
@@ -46,8 +55,8 @@ class ToleranceChecker {
   ToleranceChecker(const ToleranceChecker&) = delete;
   ToleranceChecker& operator=(const ToleranceChecker&) = delete;
 
-  /// Stops early if the tolerance is missed by far: when more pixels than kFar fail and no other
-  /// can be worse, so that `error` is that of all.
+  /// Stops early if the tolerance is missed by far: when more pixels than ToleranceResult::kFar
+  /// fail and no other can be worse, so that `error` is that of all.
   ToleranceResult check(const Image& picture) const;
 
   PixelErrors check_all(const Image& picture) const;

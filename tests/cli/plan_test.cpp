@@ -41,7 +41,8 @@ class PlanCommand : public Program {
 TEST_F(PlanCommand, writes_the_smaller_scene_its_certificate_and_the_page) {
   const ProcessResult result = lumaknot(quick());
   EXPECT_THAT(result, ExitsWith(0));
-  EXPECT_THAT(result.log, HasSubstr("met: "));
+  EXPECT_TRUE(result.log.starts_with("met")) << result.log;
+  EXPECT_THAT(result.log, HasSubstr("of the pixels in place"));
   EXPECT_THAT(result.log, HasSubstr("draw it: lumaknot render out/scene.json --fast"));
   EXPECT_THAT(written(), IsSupersetOf({"scene.json", "certificate.json", "index.html"}));
   EXPECT_EQ(certificate()["met"], true);
@@ -108,6 +109,25 @@ TEST_F(PlanCommand, reports_why_a_tolerance_cannot_be_met) {
   EXPECT_THAT(result.log, HasSubstr("allow a --shift"));
   EXPECT_FALSE(certificate()["blame"].empty());
   EXPECT_EQ(certificate()["met"], false);
+}
+
+TEST_F(PlanCommand, a_share_in_place_is_demanded) {
+  const ProcessResult all = lumaknot(quick({"--in-place", "100%"}));
+  EXPECT_THAT(all, ExitsWith(1)) << "no edge is met in place";
+  EXPECT_THAT(all.log, HasSubstr("can't be met: "));
+  EXPECT_GT(certificate()["in_place"]["lacking_pixels"], 0);
+  const double share = certificate()["in_place"]["share"];
+  EXPECT_THAT(lumaknot(quick({"--in-place", std::to_string(share / 2)})), ExitsWith(0));
+  EXPECT_EQ(certificate()["in_place"]["lacking_pixels"], 0);
+}
+
+TEST_F(PlanCommand, meaningless_shares_in_place_are_refused) {
+  for (const char* wrong : {"99", "101%", "-1%", "-0.1", "1.01", "nan", "nan%", "inf", "%", "all",
+                            "9 9%", "99%%", "99 %"}) {
+    expect_refused(quick({std::string("--in-place=") + wrong}), "--in-place must be a share");
+  }
+  expect_refused(quick({"--in-place="}), "--in-place");
+  EXPECT_FALSE(fs::exists(path("out")));
 }
 
 TEST_F(PlanCommand, leaves_out_what_no_pixel_needs) {

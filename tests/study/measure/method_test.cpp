@@ -10,6 +10,7 @@
 #include "scene/bricks.h"
 #include "scene/presets.h"
 #include "study/chart/points.h"
+#include "study/measure/method_words.h"
 #include "system/error.h"
 
 namespace lumaknot::measure {
@@ -111,6 +112,33 @@ TEST(Method, half_is_near_the_reference_but_not_on_it) {
   const double error = apart(MethodRenderer(method, scene).image(), render(scene));
   EXPECT_GT(error, 1e-4);  // a step of half below 1 is 4.9e-4, so some pixel is off by a part of it
   EXPECT_LT(error, 0.3);   // highlights: r.v off by 2^-11, to the power of 55, twice over
+}
+
+TEST(Method, words_name_all_that_differs) {
+  EXPECT_EQ(method_words({}),
+            "the scene's own mesh, light per pixel in RGB, float, trilinear texture, 1 sample per "
+            "pixel");
+  std::set<std::string> names, words;
+  for (const Space space : {Space::kRgb, Space::kYiq}) {
+    for (const Formula formula :
+         {Formula::kMatrices, Formula::kCollapsed, Formula::kBaked, Formula::kTable1}) {
+      for (const int samples : {1, 4}) {
+        for (const bool culls : {false, true}) {
+          for (const int sides : {0, 12}) {
+            const Method method{.segments = 8 * sides,
+                                .sides = sides,
+                                .space = space,
+                                .formula = formula,
+                                .samples = samples,
+                                .culls = culls};
+            names.insert(method_name(method));
+            words.insert(method_words(method));
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(words.size(), names.size());
 }
 
 TEST(Method, the_grid_replaces_a_knot_s) {

@@ -55,5 +55,14 @@ TEST(Statistics, a_time_is_shown_by_three_digits_and_never_fewer_before_the_poin
   EXPECT_EQ(shown_time(0), "0.00");
 }
 
+TEST(Statistics, a_share_is_shown_as_none_or_all_only_if_it_is) {
+  EXPECT_EQ(shown_share(0), "0 %");
+  EXPECT_EQ(shown_share(1), "100 %");
+  EXPECT_EQ(shown_share(0.426), "42.6 %");
+  EXPECT_EQ(shown_share(0.99973), "99.973 %");
+  EXPECT_EQ(shown_share(1.0 / 518400), "0.00019 %");
+  EXPECT_EQ(shown_share(518399.0 / 518400), "99.99981 %");
+}
+
 }  // namespace
 }  // namespace lumaknot::measure

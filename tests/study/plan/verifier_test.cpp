@@ -98,6 +98,24 @@ TEST(ToleranceChecker, errors_in_place_are_reported_whatever_the_shift_allows) {
   EXPECT_EQ(moved.total.shifted, std::ranges::count_if(pixels, [](float e) { return e > kStep; }));
 }
 
+TEST(ToleranceChecker, a_share_in_place_is_met_by_as_many_pixels_and_missed_by_one_fewer) {
+  const SceneSpec spec = small_spec(48);
+  const Image moved = moved_truth(spec, 0.24);
+  const auto check = [&](double share) {
+    return ToleranceChecker(made(spec), knot_of(spec), {kStep, 0.25, share}).check(moved);
+  };
+  const ToleranceResult loose = check(0);
+  const double share = loose.share(loose.met_in_place());
+  ASSERT_GT(share, 0);
+  ASSERT_LT(share, 1);
+  EXPECT_TRUE(check(share).met);
+  EXPECT_EQ(check(share).lacking, 0);
+  const ToleranceResult one_more = check(loose.share(loose.met_in_place() + 1));
+  EXPECT_FALSE(one_more.met);
+  EXPECT_EQ(one_more.lacking, 1);
+  EXPECT_EQ(check(1).lacking, loose.shifted);
+}
+
 TEST(ToleranceChecker, colours_beyond_one_are_white_as_on_a_display) {
   SceneSpec spec = small_spec(48);
   spec.view.ambient = 3;
