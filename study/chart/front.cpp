@@ -91,6 +91,21 @@ std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, 
   return front;
 }
 
+std::vector<Advice> advice(const Chart& chart, const Metric& metric, std::size_t truth,
+                           Space space) {
+  const std::vector<Candidate> all = by_error(chart, metric, truth, space);
+  std::vector<Advice> result;
+  if (all.empty()) return result;
+  for (const ErrorLevel& level : metric.levels) {
+    const auto end = std::ranges::upper_bound(all, level.value, {}, &Candidate::error);
+    const std::span<const Candidate> within(all.begin(), end);
+    Advice& found = result.emplace_back(Advice{level, {}, all.front().index});
+    if (within.empty()) continue;
+    found.take = first_of(within, std::ranges::min_element(within, {}, &Candidate::time)->time);
+  }
+  return result;
+}
+
 std::vector<Space> spaces_in(const Chart& chart) {
   std::vector<Space> spaces;
   for (const ChartPoint& point : chart.points) {

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "study/chart/points.h"
+#include "study/measure/method_words.h"
 #include "validate/report/page_kit.h"
 
 namespace lumaknot::embedded {
@@ -38,7 +40,8 @@ std::string chart_html(const Chart& chart, const std::string& scene) {
   page.set("width", std::to_string(chart.width));
   page.set("height", std::to_string(chart.height));
   page.set("truth", chart.truth);
-  page.set("baseline", chart.baseline);
+  const auto baseline = std::ranges::find(chart.points, chart.baseline, &ChartPoint::name);
+  page.set("baseline", baseline == chart.points.end() ? chart.baseline : words_of(*baseline));
   page.set("same_time", fmt::format("{:.0f}", 100 * kSameTime));
   page.set("same_error", fmt::format("{:.0f}", 100 * kSameError));
   page.set("missing", validate::page_list(chart.missing, [](const MissingPoint& m) {
@@ -47,6 +50,7 @@ std::string chart_html(const Chart& chart, const std::string& scene) {
              row.set("why", m.why);
              return row;
            }));
+  page.set("legend", measure::method_legend_rows());
   page.set("chart", for_script(Json::parse(chart_json(chart)).dump()));
   page.set("metrics", for_script(metrics_json()));
   return validate::render_page(embedded::chart_template(), std::move(page));

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "scene/fields.h"
-#include "study/chart/points.h"
+#include "study/chart/panel.h"
 
 namespace lumaknot::chart {
 namespace {
@@ -26,16 +25,6 @@ std::size_t group_of(const ChartPoint& point) {
   if (point.method->number == measure::Number::kHalf) return 3;
   if (point.method->number == measure::Number::kDouble) return 2;
   return point.method->rate == ShadingFrequency::kVertex ? 1 : 0;
-}
-
-constexpr double kMin = 1e-7;  // what the logarithmic axis shows of no error at all
-
-double shown_error(const ChartPoint& point, const Metric& metric, std::size_t truth) {
-  return std::max(kMin, (*point.errors[truth]).*metric.value);
-}
-
-bool is_shown(const Chart& chart, const ChartPoint& point, std::size_t truth) {
-  return point.errors[truth] && frame_time(chart, point);
 }
 
 std::string block(const std::string& name, const std::string& rows) {
@@ -62,14 +51,12 @@ std::string group_rows(const Chart& chart, const Metric& metric, std::size_t tru
   return rows;
 }
 
-/// Numbered from `first` on.
-std::string front_rows(const Chart& chart, const Metric& metric, std::size_t truth, Space space,
-                       int first) {
+std::string front_rows(const Chart& chart, const Metric& metric, std::size_t truth, Space space) {
   std::string rows;
   for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
     const ChartPoint& point = chart.points[i];
-    rows += fmt::format("{} {} {}\n", frame_time(chart, point)->median,
-                        shown_error(point, metric, truth), first++);
+    rows +=
+        fmt::format("{} {}\n", frame_time(chart, point)->median, shown_error(point, metric, truth));
   }
   return rows;
 }
@@ -83,66 +70,76 @@ int front_lines(const Chart& chart, const Metric& metric, std::size_t truth) {
   return int(lines);
 }
 
-/// Each other program's name at its first point. Some draw in the same time to the same error.
-std::string other_labels(const Chart& chart, const Metric& metric, std::size_t truth) {
-  constexpr std::array<const char*, 4> kPlaces{"left offset 0.8,-0.7", "right offset -0.8,-0.6",
-                                               "right offset -0.8,0.4", "left offset 0.9,0"};
-  std::string labels;
-  std::vector<std::string> named;
-  for (const ChartPoint& point : chart.points) {
-    if (point.method || !is_shown(chart, point, truth)) continue;
-    const std::string program = point.name.substr(0, point.name.find(' '));
-    if (std::ranges::count(named, program) > 0) continue;
-    labels += fmt::format("set label '{}' at {},{} {} font ',9'\n", escaped(program),
-                          frame_time(chart, point)->median, shown_error(point, metric, truth),
-                          kPlaces[named.size() % kPlaces.size()]);
-    named.push_back(program);
-  }
-  return labels;
-}
+// Pixels below the panels, and between lines of text.
+constexpr int kBelow = 75, kLine = 17;
 
-// Pixels.
-constexpr int kWidth = 1280, kTop = 100, kPanel = 470, kBelow = 75, kLine = 17;
-
-std::string front_labels(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
-  std::string labels;
+/// The methods of the fronts by their numbers, below the panel.
+std::string front_list(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
+  const double left = truth == 0 ? 0.05 : 0.54;
+  const auto at = [&](int line) {
+    return 1 - double(kTop + kPanel + kBelow + kLine * line) / height;
+  };
+  std::string labels = fmt::format(
+      "set label '            time     error  {}' at screen {},{} font 'monospace,9' textcolor rgb "
+      "'#6b7280'\n",
+      "grid, light per, space, numbers, texture, samples", left, at(0));
   int number = 0;
   for (const Space space : spaces_in(chart)) {
     for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
       const ChartPoint& point = chart.points[i];
-      const double y = 1 - double(kTop + kPanel + kBelow + kLine * number) / height;
+      ++number;
       labels += fmt::format(
-          "set label '{:>2}  {:>7} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n", ++number,
+          "set label '{:>2}  {:>7} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n", number,
           measure::shown_time(frame_time(chart, point)->median),
-          (*point.errors[truth]).*metric.value, escaped(point.name), truth == 0 ? 0.05 : 0.54, y);
+          (*point.errors[truth]).*metric.value, escaped(point.name), left, at(number));
     }
   }
   return labels;
 }
 
-/// A line through the front of each space, numbered.
+/// A line through the front of each space.
 std::string front_plots(const Chart& chart, std::size_t truth) {
-  constexpr std::array<const char*, 4> kFrontColors{"#c0392b", "#1b6e3c", "#1f4e9c", "#8a6d00"};
   std::string plots;
   std::size_t index = 0;
   for (const Space space : spaces_in(chart)) {
-    plots += fmt::format(
-        ", $t{0}f{1} using 1:2 with lines lw 2 lc rgb '{2}' title 'front in {3}', $t{0}f{1} using "
-        "1:2:3 with labels offset -0.9,-0.7 font ',10' textcolor rgb '{2}' notitle",
-        truth, int(space), kFrontColors[index++ % kFrontColors.size()],
-        kSpaceNames[std::size_t(space)]);
+    plots += fmt::format(", $t{}f{} using 1:2 with lines lw 2 lc rgb '{}' title 'front in {}'",
+                         truth, int(space), front_color(index++), kSpaceNames[std::size_t(space)]);
   }
   return plots;
+}
+
+/// `labels` as gnuplot's, where none lies on another, with a line to points that are far away.
+std::string placed_labels(const PanelLabels& labels, const PlaceBox& panel) {
+  std::vector<PlaceLabel> sizes;
+  for (const PanelLabel& label : labels.labels) sizes.push_back(label.place);
+  const std::vector<PlaceBox> boxes = place_labels(sizes, labels.obstacles, panel);
+  const auto on_graph = [&](const PlacePoint& p) {
+    return fmt::format("graph {:.5f},{:.5f}", (p.x - panel.left) / panel.width(),
+                       (panel.bottom - p.y) / panel.height());
+  };
+  std::string text;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const PanelLabel& label = labels.labels[i];
+    text += fmt::format("set label '{}' at {} center font ',{}' textcolor rgb '{}' front\n",
+                        escaped(label.text), on_graph(boxes[i].center()), kLabelFont, label.color);
+    if (!is_far_away(boxes[i], label.place.point)) continue;
+    text +=
+        fmt::format("set arrow from {} to {} nohead lc rgb '#8c96a3' lw 0.7\n",
+                    on_graph(nearest_in(boxes[i], label.place.point)), on_graph(label.place.point));
+  }
+  return text;
 }
 
 std::string panel(const Chart& chart, const Metric& metric, std::size_t truth, int height) {
   constexpr std::array kTitles{"Methods of one sample, against the truth at each pixel's centre",
                                "All methods, against the mean of the truth over each pixel"};
-  const double left = truth == 0 ? 0.065 : 0.56;
+  const PlaceBox box = panel_box(truth);
   std::string text = fmt::format(
-      "unset label\nset lmargin at screen {}\nset rmargin at screen {}\nset title '{}'\n", left,
-      left + 0.425, escaped(kTitles[truth]));
-  text += front_labels(chart, metric, truth, height) + other_labels(chart, metric, truth);
+      "unset label\nunset arrow\nset lmargin at screen {}\nset rmargin at screen {}\nset title "
+      "'{}'\n",
+      box.left / kWidth, box.right / kWidth, escaped(kTitles[truth]));
+  text += front_list(chart, metric, truth, height);
+  text += placed_labels(panel_labels(chart, metric, truth), box);
   text +=
       truth == 0 ? "set key at screen 0.5,0.97 center top maxrows 2 samplen 1\n" : "unset key\n";
   text += "plot ";
@@ -161,37 +158,25 @@ std::string panel_data(const Chart& chart, const Metric& metric, std::size_t tru
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     text += block(fmt::format("t{}g{}", truth, g), group_rows(chart, metric, truth, g));
   }
-  int number = 1;
   for (const Space space : spaces_in(chart)) {
-    const std::string rows = front_rows(chart, metric, truth, space, number);
-    number += int(std::ranges::count(rows, '\n'));
-    text += block(fmt::format("t{}f{}", truth, int(space)), rows);
+    text +=
+        block(fmt::format("t{}f{}", truth, int(space)), front_rows(chart, metric, truth, space));
   }
   return text;
 }
 
-/// All times and errors of the chart, with some margin.
 std::string ranges(const Chart& chart, const Metric& metric) {
-  std::vector<double> errors, times;
-  for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
-    for (const ChartPoint& point : chart.points) {
-      if (!is_shown(chart, point, truth)) continue;
-      const measure::Spread time = *frame_time(chart, point);
-      errors.push_back(shown_error(point, metric, truth));
-      times.insert(times.end(), {time.min, time.max});
-    }
-  }
-  if (errors.empty()) return {};
-  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", std::ranges::min(times) / 1.5,
-                     std::ranges::max(times) * 1.5, std::ranges::min(errors) / 1.6,
-                     std::ranges::max(errors) * 1.6);
+  const std::optional<ChartAxes> axes = chart_axes(chart, metric);
+  if (!axes) return {};
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", axes->time.min, axes->time.max,
+                     axes->error.min, axes->error.max);
 }
 
 }  // namespace
 
 ChartPicture chart_picture(const Chart& chart, const Metric& metric) {
   const int lines = std::max(front_lines(chart, metric, 0), front_lines(chart, metric, 1));
-  const int height = kTop + kPanel + kBelow + kLine * (lines + 1);
+  const int height = kTop + kPanel + kBelow + kLine * (lines + 2);
   std::string text = panel_data(chart, metric, 0) + panel_data(chart, metric, 1);
   text += fmt::format(
       "set multiplot\nset logscale xy\nset grid lt 1 lc rgb '#e3e6ea'\nset tics nomirror\n"

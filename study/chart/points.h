@@ -22,10 +22,17 @@ namespace lumaknot::chart {
 /// mean over its square, the target of all that antialias; others are compared with it too.
 inline constexpr std::array<std::string_view, 2> kTruthNames{"point", "area"};
 
+/// An error that one might allow: 4/255.
+struct ErrorLevel {
+  std::string_view name;
+  double value = 0;
+};
+
 /// One number of Errors.
 struct Metric {
   std::string_view name, about;
-  double measure::Errors::* value;
+  double measure::Errors::*value;
+  std::array<ErrorLevel, 3> levels;  ///< for which the chart says which method to take
 };
 
 /// rmse, p99.9, max, deltae, deltae-p99.9, deltae-max, flip.
@@ -59,6 +66,9 @@ struct Chart {
   bool complete = false;
 };
 
+/// A method in words, another program by its name.
+std::string words_of(const ChartPoint& point);
+
 /// Milliseconds per frame: the ratios' median, minimum and maximum times the baseline's median;
 /// other programs': their own. Empty for points without rounds.
 std::optional<measure::Spread> frame_time(const Chart& chart, const ChartPoint& point);
@@ -72,6 +82,21 @@ inline constexpr double kSameTime = 0.05, kSameError = 0.01;
 /// another picture and don't compete. `truth` is an index of kTruthNames.
 std::vector<std::size_t> pareto_front(const Chart& chart, const Metric& metric, std::size_t truth,
                                       Space space);
+
+/// Which method of a space to take at an error.
+struct Advice {
+  ErrorLevel level;
+  std::optional<std::size_t> take;  ///< the fastest point within it; of equal times the first
+  std::size_t nearest = 0;          ///< the point of the smallest error, for where none is
+};
+
+/// For each of the metric's levels; empty if the space has no point with a time and such an error.
+std::vector<Advice> advice(const Chart& chart, const Metric& metric, std::size_t truth,
+                           Space space);
+
+/// "for an error (rmse) of at most 4/255 take grid 768 x 40, ...: 4.15 ms, rmse 0.00983".
+std::string advice_sentence(const Chart& chart, const Metric& metric, std::size_t truth,
+                            const Advice& advice);
 
 /// The spaces of the chart's points, in their order.
 std::vector<Space> spaces_in(const Chart& chart);

@@ -5,20 +5,28 @@
 
 #include "scene/fields.h"
 #include "study/chart/checkpoint.h"
+#include "study/measure/method_words.h"
 
 namespace lumaknot::chart {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::array<ErrorLevel, 3> kColorLevels{
+    {{"1/255", 1.0 / 255}, {"4/255", 4.0 / 255}, {"16/255", 16.0 / 255}}};
+constexpr std::array<ErrorLevel, 3> kDeltaELevels{{{"0.5", 0.5}, {"1", 1}, {"2", 2}}};
+constexpr std::array<ErrorLevel, 3> kFlipLevels{{{"0.01", 0.01}, {"0.02", 0.02}, {"0.05", 0.05}}};
+
 constexpr Metric kMetrics[] = {
-    {"rmse", "RMSE of all channels", &measure::Errors::rmse},
-    {"p99.9", "99.9 % of pixels' largest channels differ by less", &measure::Errors::p999},
-    {"max", "largest difference of a channel", &measure::Errors::max},
-    {"deltae", "mean CIEDE2000", &measure::Errors::delta_e},
-    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &measure::Errors::delta_e_p999},
-    {"deltae-max", "largest CIEDE2000", &measure::Errors::delta_e_max},
-    {"flip", "mean FLIP at 67 pixels a degree", &measure::Errors::flip}};
+    {"rmse", "RMSE of all channels", &measure::Errors::rmse, kColorLevels},
+    {"p99.9", "99.9 % of pixels' largest channels differ by less", &measure::Errors::p999,
+     kColorLevels},
+    {"max", "largest difference of a channel", &measure::Errors::max, kColorLevels},
+    {"deltae", "mean CIEDE2000", &measure::Errors::delta_e, kDeltaELevels},
+    {"deltae-p99.9", "99.9 % of pixels have a smaller CIEDE2000", &measure::Errors::delta_e_p999,
+     kDeltaELevels},
+    {"deltae-max", "largest CIEDE2000", &measure::Errors::delta_e_max, kDeltaELevels},
+    {"flip", "mean FLIP at 67 pixels a degree", &measure::Errors::flip, kFlipLevels}};
 
 Json method_json(const measure::Method& m) {
   return {{"segments", m.segments},  {"sides", m.sides},          {"rate", int(m.rate)},
@@ -45,7 +53,7 @@ Json errors_json(const measure::Errors& errors) {
 }
 
 Json point_json(const Chart& chart, const ChartPoint& point) {
-  Json json{{"name", point.name}};
+  Json json{{"name", point.name}, {"words", words_of(point)}};
   if (point.method) json["method"] = method_json(*point.method);
   json["space"] = kSpaceNames[std::size_t(point.space)];
   if (!point.how.empty()) json["how"] = point.how;
@@ -90,18 +98,30 @@ Json front_json(const Chart& chart, const Metric& metric, std::size_t truth, Spa
   return names;
 }
 
-/// By truth, metric and space.
-Json fronts_json(const Chart& chart) {
-  Json fronts;
+Json advice_json(const Chart& chart, const Metric& metric, std::size_t truth, Space space) {
+  Json list = Json::array();
+  for (const Advice& a : advice(chart, metric, truth, space)) {
+    list.push_back({{"error", a.level.name},
+                    {"take", a.take ? Json(chart.points[*a.take].name) : Json(nullptr)},
+                    {"nearest", chart.points[a.nearest].name},
+                    {"sentence", advice_sentence(chart, metric, truth, a)}});
+  }
+  return list;
+}
+
+/// What `make` gives by truth, metric and space.
+template <class Make>
+Json by_space_json(const Chart& chart, const Make& make) {
+  Json result;
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     for (const Metric& metric : kMetrics) {
-      Json& all = fronts[std::string(kTruthNames[truth])][std::string(metric.name)];
+      Json& all = result[std::string(kTruthNames[truth])][std::string(metric.name)];
       for (const Space space : spaces_in(chart)) {
-        all[std::string(kSpaceNames[std::size_t(space)])] = front_json(chart, metric, truth, space);
+        all[std::string(kSpaceNames[std::size_t(space)])] = make(chart, metric, truth, space);
       }
     }
   }
-  return fronts;
+  return result;
 }
 
 /// `text` as a field of a table.
@@ -143,17 +163,34 @@ std::vector<FrontMembers> front_members(const Chart& chart) {
 
 std::span<const Metric> chart_metrics() { return kMetrics; }
 
+std::string words_of(const ChartPoint& point) {
+  return point.method ? measure::method_words(*point.method) : point.name;
+}
+
 Json chart_values(const Chart& chart) {
   Json json{{"complete", chart.complete}, {"width", chart.width},       {"height", chart.height},
             {"truth", chart.truth},       {"baseline", chart.baseline}, {"same_time", kSameTime},
             {"same_error", kSameError}};
-  if (chart.complete) json["fronts"] = fronts_json(chart);
+  if (chart.complete) {
+    json["fronts"] = by_space_json(chart, front_json);
+    json["advice"] = by_space_json(chart, advice_json);
+  }
   json["points"] = json["missing"] = Json::array();
   for (const ChartPoint& point : chart.points) json["points"].push_back(point_json(chart, point));
   for (const MissingPoint& m : chart.missing) {
     json["missing"].push_back({{"name", m.name}, {"why", m.why}});
   }
   return json;
+}
+
+std::string advice_sentence(const Chart& chart, const Metric& metric, std::size_t truth,
+                            const Advice& advice) {
+  const ChartPoint& point = chart.points[advice.take.value_or(advice.nearest)];
+  return fmt::format("for an error ({}) of at most {} {}{}: {} ms, {} {:.3g}", metric.name,
+                     advice.level.name,
+                     advice.take ? "take " : "no method is good enough; the nearest is ",
+                     words_of(point), measure::shown_time(frame_time(chart, point)->median),
+                     metric.name, (*point.errors[truth]).*metric.value);
 }
 
 std::string chart_json(const Chart& chart) {
@@ -209,6 +246,9 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
         text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kNameWidth - 2,
                             (*point.errors[truth]).*metric.value, measure::shown_time(time.median),
                             measure::shown_time(time.min), measure::shown_time(time.max));
+      }
+      for (const Advice& a : advice(chart, metric, truth, space)) {
+        text += fmt::format("  {}\n", advice_sentence(chart, metric, truth, a));
       }
     }
   }

@@ -92,6 +92,48 @@ TEST(Front, does_not_hang_on_a_round_that_was_disturbed) {
               ElementsAre("slow", "base"));
 }
 
+std::vector<Advice> advised(const Chart& chart) { return advice(chart, rmse(), 0, Space::kRgb); }
+
+TEST(Advice, is_the_fastest_within_each_error) {
+  const Chart chart = chart_of({point("base", 0.015, {1}), point("slow", 0.003, {3}),
+                                point("slower", 0.002, {4}), point("fast", 0.05, {0.5})});
+  const std::vector<Advice> found = advised(chart);  // 1/255, 4/255, 16/255
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].take, 1u);
+  EXPECT_EQ(found[1].take, 0u);
+  EXPECT_EQ(found[2].take, 3u);
+  EXPECT_THAT(advice_sentence(chart, rmse(), 0, found[1]),
+              HasSubstr("for an error (rmse) of at most 4/255 take "));
+  EXPECT_THAT(advice_sentence(chart, rmse(), 0, found[1]), HasSubstr(": 4.00 ms, rmse 0.015"));
+}
+
+TEST(Advice, never_takes_what_is_beyond_the_error_though_it_is_hardly_so) {
+  const std::vector<Advice> found =
+      advised(chart_of({point("base", 4.0 / 255, {1}), point("beyond", 4.001 / 255, {0.5})}));
+  EXPECT_EQ(found[1].take, 0u);
+}
+
+TEST(Advice, names_the_nearest_where_nothing_is_good_enough) {
+  const Chart chart = chart_of({point("base", 0.02, {1}), point("slow", 0.01, {3})});
+  const Advice first = advised(chart).front();
+  EXPECT_EQ(first.take, std::nullopt);
+  EXPECT_EQ(first.nearest, 1u);
+  EXPECT_THAT(advice_sentence(chart, rmse(), 0, first),
+              HasSubstr("of at most 1/255 no method is good enough; the nearest is "));
+  EXPECT_THAT(advice(chart, rmse(), 0, Space::kYiq), IsEmpty());
+}
+
+TEST(Advice, is_in_text_and_json_and_on_the_page) {
+  const Chart chart = chart_of({point("base", 0.015, {1}), point("slow", 0.003, {3})});
+  const auto json = nlohmann::json::parse(chart_json(chart))["advice"]["point"]["rmse"]["rgb"];
+  ASSERT_EQ(json.size(), 3u);
+  EXPECT_EQ(json[0]["take"], "slow");
+  EXPECT_EQ(json[0]["error"], "1/255");
+  const std::string sentence = json[1]["sentence"];
+  EXPECT_THAT(chart_text(chart, rmse()), HasSubstr(sentence));
+  EXPECT_THAT(chart_html(chart, "a scene"), HasSubstr(sentence));
+}
+
 TEST(Contested, are_points_whose_spread_reaches_over_the_margin) {
   const std::vector<double> sure{0.5, 0.501, 0.499, 0.5}, unsure{0.93, 0.99, 0.95, 0.92};
   EXPECT_THAT(contested_points(
