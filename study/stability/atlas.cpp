@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exporters/image/file.h"
 #include "study/measure/gnuplot.h"
+#include "study/stability/sketches.h"
 
 namespace lumaknot::stability {
 namespace {
@@ -37,18 +37,32 @@ void add_pictures(const Region& region, const AtlasOptions& options, Entry& entr
   const double holding = region.shown_holds.value_or(region.sweep.from);
   const double failing = region.shown_fails.value_or(region.sweep.to);
   const auto value = [](double x) { return fmt::format("{:.4g}", x); };
-  const auto add = [&](const Sketch& sketch, double x, const char* name, std::string caption) {
-    if (!sketch) return;
-    entry.pictures.push_back(
-        {std::move(caption), fmt::format("{}.png", name), sketch_png(sketch(x, options.side))});
+  const auto add = [&](const char* name, std::string caption, const Image& image) {
+    entry.pictures.push_back({std::move(caption), fmt::format("{}.png", name), sketch_png(image)});
   };
   entry.pictures.push_back({"", "chart.svg", sweep_chart(region, entry)});
-  add(region.sketch, holding, "holds", "holds, " + value(holding));
-  add(region.sketch, failing, "fails", "fails, " + value(failing));
-  add(region.guarded_sketch, failing, "remedy",
-      "the remedy, " + (region.guarded_shows ? region.guarded_shows(failing) : value(failing)));
-  for (const Quantity& quantity : region.also) {
-    entry.also.push_back({quantity.name, quantity.measure(holding), quantity.measure(failing)});
+  if (!region.sketch) return;
+  add("holds", "holds, " + value(holding), region.sketch(holding, options.side));
+  const Image fails = region.sketch(failing, options.side);
+  add("fails", "fails, " + value(failing), fails);
+  if (!region.guarded_sketch) return;
+  const Image remedy = region.guarded_sketch(failing, options.side);
+  add("remedy",
+      "the remedy, " + (region.guarded_shows ? region.guarded_shows(failing) : value(failing)),
+      remedy);
+  if (const auto difference = difference_if_alike(fails, remedy)) {
+    add("difference", fmt::format("fails less the remedy, times {}", difference->gain),
+        difference->image);
+  }
+}
+
+void add_quantities(const Region& region, Entry& entry) {
+  const double holding = region.shown_holds.value_or(region.sweep.from);
+  const double failing = region.shown_fails.value_or(region.sweep.to);
+  const auto& [holds, fails] = entry.boundary;
+  for (const auto& [name, measure] : region.also) {
+    entry.also.push_back(
+        {name, measure(holding), measure(holds.x), measure(fails.x), measure(failing)});
   }
 }
 
@@ -84,16 +98,10 @@ Entry examine(const Region& region, const AtlasOptions& options,
   if (region.guarded) entry.guarded = measure(region.guarded, values, count);
   entry.guarded_worst = worst(entry.guarded);
   entry.boundary = find_boundary(region, entry.sweep);
-  if (options.pictures) add_pictures(region, options, entry);
+  if (!options.pictures) return entry;
+  add_pictures(region, options, entry);
+  add_quantities(region, entry);
   return entry;
-}
-
-std::string sketch_png(const Image& image) {
-  Image shown = image;
-  for (RgbaPixel& pixel : shown.pixels) {
-    if (!is_finite(to_vec(pixel.color))) pixel.color = {1, 0, 1};
-  }
-  return display_png(shown);
 }
 
 namespace {

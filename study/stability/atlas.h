@@ -16,10 +16,11 @@ struct Picture {
   std::string png;
 };
 
-/// Another quantity where the method is shown holding and failing.
+/// Another quantity: where the method is shown holding, on both sides of the boundary, and where it
+/// is shown failing.
 struct AlsoMeasured {
   std::string name;
-  double holds = 0, fails = 0;
+  double holds = 0, last_holding = 0, first_failing = 0, fails = 0;
 };
 
 /// A region examined.
@@ -30,7 +31,7 @@ struct Entry {
   double guarded_worst = 0;  ///< of the remedy over the whole sweep; not a number if there is none
   std::vector<Measured> sweep, guarded;  ///< the chart's points
   std::vector<AlsoMeasured> also;
-  std::vector<Picture> pictures;  ///< holding, failing, the remedy; and the chart
+  std::vector<Picture> pictures;  ///< the chart; holding, failing, the remedy and the difference
 };
 
 struct AtlasOptions {
@@ -46,9 +47,6 @@ std::vector<SweepInterval> holding_again(const Entry& entry);
 /// finished share in [0, 1]; its exceptions end the work.
 Entry examine(const Region& region, const AtlasOptions& options,
               const std::function<void(double)>& tick);
-
-/// `image` as a displayable PNG: pixels that are not numbers in magenta.
-std::string sketch_png(const Image& image);
 
 /// The chart of a region's sweep as SVG: error against parameter, the limit, and a shade on the
 /// intervals that were measured to fail, the first of them from the boundary on.

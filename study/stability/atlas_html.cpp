@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "study/stability/atlas_report.h"
 #include "validate/report/page_kit.h"
 
@@ -22,12 +24,17 @@ Data picture_data(const Picture& picture, const std::string& region) {
   return data;
 }
 
+std::string shown_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "not finite";
+}
+
 Data also_data(const std::vector<AlsoMeasured>& also) {
   return validate::page_list(also, [](const AlsoMeasured& a) {
     Data row;
     row.set("name", a.name);
-    row.set("holds", fmt::format("{:.4g}", a.holds));
-    row.set("fails", fmt::format("{:.4g}", a.fails));
+    row.set("holds", shown_number(a.holds));
+    row.set("boundary", shown_number(a.last_holding) + " → " + shown_number(a.first_failing));
+    row.set("fails", shown_number(a.fails));
     return row;
   });
 }
@@ -43,8 +50,8 @@ Data entry_data(const Entry& e) {
   data.set("limit", fmt::format("{:.4g}", e.limit));
   data.set("boundary", boundary_text(e.boundary));
   if (const std::string again = again_text(e); !again.empty()) data.set("again", again);
-  data.set("holds", fmt::format("{:.4g}", e.boundary.holds.error));
-  data.set("fails", fmt::format("{:.4g}", e.boundary.fails.error));
+  data.set("holds", fmt::format("{:.5g}", e.boundary.holds.error));
+  data.set("fails", fmt::format("{:.5g}", e.boundary.fails.error));
   if (!e.guarded.empty()) data.set("worst", fmt::format("{:.3g}", e.guarded_worst));
   data.set("also", also_data(e.also));
   data.set("has_also", !e.also.empty());

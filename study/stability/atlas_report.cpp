@@ -62,8 +62,10 @@ Json entry_json(const Entry& e) {
   json["remedy_sweep"] = pairs(e.guarded);
   json["also"] = Json::array();
   for (const AlsoMeasured& a : e.also) {
-    json["also"].push_back(
-        {{"name", a.name}, {"holds", number(a.holds)}, {"fails", number(a.fails)}});
+    json["also"].push_back({{"name", a.name},
+                            {"holds", number(a.holds)},
+                            {"boundary", {number(a.last_holding), number(a.first_failing)}},
+                            {"fails", number(a.fails)}});
   }
   json["pictures"] = Json::array();
   for (const Picture& p : e.pictures) {
@@ -81,7 +83,9 @@ Entry entry_of(const Json& json, const std::filesystem::path& folder) {
   e.sweep = pairs_of(json.at("sweep"));
   e.guarded = pairs_of(json.at("remedy_sweep"));
   for (const Json& a : json.at("also")) {
-    e.also.push_back({a.at("name"), number_of(a.at("holds")), number_of(a.at("fails"))});
+    const Json& boundary = a.at("boundary");
+    e.also.push_back({a.at("name"), number_of(a.at("holds")), number_of(boundary.at(0)),
+                      number_of(boundary.at(1)), number_of(a.at("fails"))});
   }
   for (const Json& p : json.at("pictures")) {
     const std::string file = p.at("file");

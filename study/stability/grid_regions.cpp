@@ -28,11 +28,15 @@ Region tube_clearance() {
   region.method = "a tube as thick as one likes";
   region.reason =
       "beyond the clearance, half of the least distance of two strands or the least radius of "
-      "curvature, the surface passes through itself";
-  region.remedy = "keep the radius below the clearance, which `lumaknot mesh --measure` reports";
+      "curvature, the surface passes through itself; the clearance is known to 1e-6 of itself";
+  region.remedy =
+      "keep the radius below the clearance, which `lumaknot mesh --measure` reports and above "
+      "which `lumaknot mesh --strict` refuses";
   region.sweep = {"tube radius, R = 1, w = 0.4", 0.05, 0.45};
-  region.measured = "how deep the tube reaches into itself, share of its radius";
-  region.limit = 0.01;
+  region.measured = "how deep the tube reaches into itself, share of its radius (tolerance 1e-6)";
+  region.limit = 1e-6;
+  region.also = {{"radius / clearance",
+                  [](double r) { return r / clearance(components(with_tube(r))).radius; }}};
   region.error = [](double r) { return overlap(with_tube(r)); };
   region.guarded = [cleared](double r) { return overlap(cleared(r)); };
   region.sketch = [](double r, int side) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "math/angle.h"
 #include "study/stability/highlight_error.h"
@@ -35,15 +36,27 @@ double highlight_beyond(Model model, double shininess, double degrees) {
                                ModelParameters<double>().with("shininess", shininess));
 }
 
-/// By how much the highlight's second derivative by the angle jumps at Phong's cut-off, before it,
-/// on it and beyond, over steps of half a degree.
-double jump(Model model, double shininess) {
-  constexpr double kStep = 0.5;
-  const auto f = [&](int steps) { return highlight_beyond(model, shininess, kStep * steps); };
+constexpr double kDifferenceStep = 0.5;  // degrees
+
+/// By how much the highlight's second difference over kDifferenceStep changes at Phong's cut-off:
+/// before it, on it and beyond. Of the k-th power of a sine about h^(k-2) (2^k - 2), where h is the
+/// step, and so not the jump of the second derivative, to which it comes down with h alone.
+double change_of_second_difference(Model model, double shininess) {
+  const auto f = [&](int steps) {
+    return highlight_beyond(model, shininess, kDifferenceStep * steps);
+  };
   const auto [min, max] =
       std::minmax({f(-2) - 2 * f(-1) + f(0), f(-1) - 2 * f(0) + f(1), f(0) - 2 * f(1) + f(2)});
-  return (max - min) / std::pow(kStep * kDegree, 2);
+  return (max - min) / std::pow(kDifferenceStep * kDegree, 2);
 }
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// What the slope of max(sin x, 0)^k jumps by at 0: of k x^(k-1), the limit.
+double slope_jump(double k) { return k > 1 ? 0 : k == 1 ? 1 : kUnbounded; }
+
+/// The same of its second derivative, of k (k - 1) x^(k-2).
+double curvature_jump(double k) { return k > 2 || k == 1 ? 0 : k == 2 ? 2 : kUnbounded; }
 
 Region phong_cutoff() {
   Region region;
@@ -52,13 +65,17 @@ Region phong_cutoff() {
   region.method = "Phong's highlight at low shininess";
   region.reason =
       "max(r.v, 0)^k ends at 90 degrees with a step of its slope at k = 1, of its curvature at k = "
-      "2: eyes see both as an edge";
+      "2: eyes see both as an edge. For k a little above 2 nothing jumps, but the curvature still "
+      "comes in within the half degree that is measured";
   region.remedy = "Blinn-Phong, whose n.h is still 0.7 there; or k >= 3";
   region.sweep = {"shininess k", 32, 0.5, true};
-  region.measured = "jump of the second derivative at the cut-off, 1 / radian^2";
+  region.measured =
+      "change of the second difference over steps of half a degree at the cut-off, 1 / radian^2";
   region.limit = 0.5;
-  region.error = [](double k) { return jump(Model::kPhong, k); };
-  region.guarded = [](double k) { return jump(Model::kBlinnPhong, k); };
+  region.error = [](double k) { return change_of_second_difference(Model::kPhong, k); };
+  region.guarded = [](double k) { return change_of_second_difference(Model::kBlinnPhong, k); };
+  region.also = {{"exact jump of the slope, 1 / radian", slope_jump},
+                 {"exact jump of the second derivative, 1 / radian^2", curvature_jump}};
   region.sketch = [](double k, int side) { return draw(highlight_scene(Model::kPhong, k), side); };
   region.guarded_sketch = [](double k, int side) {
     return draw(highlight_scene(Model::kBlinnPhong, k), side);
@@ -211,13 +228,14 @@ Region shininess_float() {
   region.measured = "largest difference of the highlight from double, of its peak";
   region.limit = 1.0 / 255;
   region.error = peak_error<float>;
-  region.sketch = [](double k, int side) {
-    const Scene scene = highlight_scene(Model::kPhong, k);
-    return shade_each(scene, side, color_in<float>(scene));
+  region.sketch = peak_sketch<float>;
+  region.guarded_sketch = peak_sketch<double>;
+  const auto close_up = [](double k) {
+    return fmt::format("{:.4g}, to {:.2g} degrees about the mirror direction", k,
+                       std::sqrt(2 * std::log(100) / k) * kDegrees);
   };
-  region.guarded_sketch = [](double k, int side) {
-    return draw(highlight_scene(Model::kPhong, k), side);
-  };
+  region.guarded_shows = close_up;
+  region.shown_holds = 10;
   region.shown_fails = 4e4;
   return region;
 }

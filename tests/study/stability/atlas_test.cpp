@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/stability/atlas_report.h"
+#include "study/stability/sketches.h"
 #include "system/atomic_file.h"
 #include "system/error.h"
 #include "system/process.h"
@@ -13,6 +14,7 @@
 namespace lumaknot::stability {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -147,6 +149,8 @@ TEST(Atlas, survives_json_with_its_pictures) {
   const Entry& entry = atlas.entries[0];
   EXPECT_EQ(entry.guarded_worst, 0.25);
   EXPECT_EQ(entry.also[0].fails, 4);
+  EXPECT_EQ(entry.also[0].last_holding, 2 * entry.boundary.holds.x);
+  EXPECT_EQ(entry.also[0].first_failing, 2 * entry.boundary.fails.x);
   ASSERT_EQ(entry.pictures.size(), 3u);  // chart, holds, fails
   const PrivateFolder folder;
   std::filesystem::create_directories(folder.path() / "step");
@@ -170,9 +174,44 @@ TEST(Atlas, captions_tell_what_is_drawn) {
     }
     return all;
   };
-  EXPECT_THAT(captions(), ElementsAre("", "holds, 0", "fails, 2", "the remedy, 2"));
+  EXPECT_THAT(captions(), ElementsAre("", "holds, 0", "fails, 2", "the remedy, 2",
+                                      "fails less the remedy, times 256"));
   region.guarded_shows = [](double x) { return std::to_string(int(x) + 1) + " steps"; };
-  EXPECT_EQ(captions().back(), "the remedy, 3 steps");
+  EXPECT_THAT(captions(), Contains("the remedy, 3 steps"));
+}
+
+/// A grey picture.
+Image grey_image(float value) {
+  Image image(20, 20);
+  for (RgbaPixel& pixel : image.pixels) pixel = {{value, value, value}, 1};
+  return image;
+}
+
+TEST(Sketches, that_look_alike_are_shown_by_their_difference_at_a_gain_that_clips_nothing) {
+  const auto found = difference_if_alike(grey_image(0.5f), grey_image(0.5f + 1.0f / 64));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->gain, 64);
+  EXPECT_FLOAT_EQ(found->image.pixels[7].color.g, 1);
+  EXPECT_EQ(difference_if_alike(grey_image(0.5f), grey_image(0.53f))->gain, 32);
+}
+
+TEST(Sketches, that_differ_by_less_than_eight_bits_show_are_still_told_apart) {
+  const auto found = difference_if_alike(grey_image(0.5f), grey_image(0.5f + 0.3f / 255));
+  EXPECT_EQ(found->gain, 256);
+  EXPECT_NEAR(found->image.pixels[0].color.r, 256 * 0.3 / 255, 1e-4);  // of floats near 0.5
+}
+
+TEST(Sketches, that_anyone_can_tell_apart_need_no_difference) {
+  EXPECT_FALSE(difference_if_alike(grey_image(0.2f), grey_image(0.4f)));
+}
+
+TEST(Sketches, differ_where_one_is_not_a_number) {
+  Image broken = grey_image(0);
+  broken.pixels[3].color.r = std::numeric_limits<float>::quiet_NaN();
+  const auto found = difference_if_alike(grey_image(0), broken);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->image.pixels[3].color.r, 1);  // magenta against black
+  EXPECT_EQ(found->image.pixels[3].color.g, 0);
 }
 
 TEST(Atlas, reports_the_remedys_worst_if_it_is_measured) {

@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <ostream>
 #include <set>
+
+#include "math/angle.h"
+#include "meshgen/clearance.h"
+#include "study/stability/test_scenes.h"
 
 namespace lumaknot::stability {
 namespace {
@@ -31,8 +36,9 @@ const Sides kSides[] = {
     // Noise of 6e-8 in each coordinate over |C'| h, |C'| = 1.7 to 3.
     {"difference-step-short", 1.5e-6, 8e-7},
     {"difference-step-long", 0.0225, 0.0231},
-    // clearance() is 0.4000; a hundredth of the radius deeper.
-    {"tube-clearance", 0.4, 0.405},
+    // Two strands pass 0.8 apart: mesh --strict refuses above 0.4. A millionth of the radius
+    // deeper.
+    {"tube-clearance", 0.4, 0.400001},
     {"strands-touch", 17, 21},
     // A chord of 384 / q per turn: 1 - cos(pi q / 384), about 0.4 of it by 0.03.
     {"many-turns", 13, 14},
@@ -146,6 +152,47 @@ INSTANTIATE_TEST_SUITE_P(Each, Regions, testing::ValuesIn(kSides), [](const auto
   std::ranges::replace(name, '-', '_');
   return name;
 });
+
+/// Where the region's method stops holding.
+Boundary boundary_of(const Region& region) {
+  std::vector<Measured> sweep;
+  for (const double x : swept_values(region.sweep, 40)) sweep.push_back({x, region.error(x)});
+  return find_boundary(region, sweep);
+}
+
+TEST(TubeClearance, fails_where_the_command_that_makes_meshes_refuses) {
+  const double refused = clearance(components(sketch_knot())).radius;
+  const Boundary found = boundary_of(regions().at("tube-clearance"));
+  // The measure's limit, a millionth of the radius, is half as much of it; the bisection leaves a
+  // millionth of the sweep.
+  EXPECT_NEAR(found.holds.x, refused, 1e-6);
+  EXPECT_NEAR(found.fails.x, refused, 1e-6);
+  EXPECT_NEAR(refused, 0.4, 1e-9);
+}
+
+TEST(PhongCutoff, measures_a_second_difference_by_its_formula_and_tells_the_exact_jump) {
+  const Region& region = regions().at("phong-cutoff");
+  const double h = 0.5 * kDegree;
+  for (const double k : {1.8, 2.0, 2.2, 2.5, 3.0}) {
+    const double formula = std::pow(h, k - 2) * (std::pow(2, k) - 2);
+    EXPECT_NEAR(region.error(k), formula, 1e-3 * formula) << k;  // sin x = x up to x^2 / 6
+  }
+  const auto exact = [&](std::size_t i, double k) { return region.also[i].measure(k); };
+  EXPECT_EQ(exact(0, 1), 1);  // the slope's
+  EXPECT_EQ(exact(0, 1.5), 0);
+  EXPECT_EQ(exact(1, 2), 2);  // the curvature's
+  EXPECT_EQ(exact(1, 2.4), 0);
+  EXPECT_EQ(exact(1, 3), 0);
+  EXPECT_TRUE(std::isinf(exact(1, 1.5)));
+}
+
+TEST(PhongCutoff, fails_from_a_shininess_at_which_nothing_jumps) {
+  const Region& region = regions().at("phong-cutoff");
+  const Boundary found = boundary_of(region);
+  EXPECT_GT(found.fails.x, 2);
+  EXPECT_EQ(region.also[1].measure(found.fails.x), 0);
+  EXPECT_NEAR(found.holds.error, region.limit, 1e-3);
+}
 
 TEST(RegionList, has_both_sides_of_each_and_words_for_it) {
   std::set<std::string> names;
