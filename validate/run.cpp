@@ -29,6 +29,8 @@ struct Ours {
   Reference reference;
   const std::vector<Shot>& shots;
   const Rendering& rendering;
+  std::size_t budget;   ///< bytes of a renderer's picture in the report
+  bool keeps_displays;  ///< see ValidationJob
 
   const Image& image(Stage stage) const {
     const auto found = std::ranges::find(shots, stage, &Shot::stage);
@@ -47,14 +49,19 @@ Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limit
     Image nearest;
     if (drawn.instead) {
       nearest = shade_all(ours.reference.scene, shot, ours.reference.fragments);
-      result.pictures.ours_instead = display_png(nearest);
     }
     const Image& mine = drawn.instead ? nearest : ours.rendering.shots[index].image;
     result.comparison =
         compare(ours.reference, shot, mine, drawn.image, limited, limits, allowances);
     if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
-    result.pictures.theirs = display_png(drawn.image);
-    result.pictures.difference = display_png(difference(mine, drawn.image, limited));
+    result.pictures =
+        pictures_of({mine, drawn.image, limited}, result.comparison.marks, ours.budget);
+    if (drawn.instead) {
+      const Image& requested = ours.rendering.shots[index].image;
+      result.pictures.instead = instead_picture(requested, nearest, ours.budget);
+    }
+    if (ours.keeps_displays) result.pictures.display = display_png(drawn.image);
+    result.comparison.marks = {};
     drawn.image = {};
   }
   result.drawn = std::move(drawn);
@@ -151,10 +158,11 @@ std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job
   return wanted;
 }
 
-Ours draw_ours(const Scene& scene, const std::vector<Shot>& shots, const Grid<Fragment>& fragments,
-               Rendering& rendering) {
-  rendering = own_renderer(fragments)->draw(scene, shots);
-  return {Reference(scene, fragments), shots, rendering};
+Ours draw_ours(const ValidationJob& job, const Grid<Fragment>& fragments, std::size_t renderers,
+               Validation& result) {
+  result.own = own_renderer(fragments)->draw(job.scene, result.shots);
+  return {Reference(job.scene, fragments), result.shots, result.own,
+          picture_budget(renderers * result.shots.size()), job.keeps_displays};
 }
 
 }  // namespace
@@ -211,14 +219,15 @@ Validation validate(const ValidationJob& job,
     }));
   }
 
-  const Ours ours = draw_ours(scene, result.shots, fragments, result.own);
+  const Ours ours = draw_ours(job, fragments, renderers.size(), result);
   promise.set_value(&ours);
   for (std::size_t i = 0; i < result.shots.size(); ++i) {
     const bool final = result.shots[i].stage == Stage::kFinal;
     const Image& image = result.own.shots[i].image;
     result.own_claims.push_back(final ? ours.claims(image) : Claims{});
-    result.own_pictures.push_back(display_png(image));
+    result.own_pictures.push_back(own_picture(image, ours.budget));
   }
+  result.own_cover = cover_png(ours.reference);
   for (auto& task : tasks) result.results.push_back(task.get());
   result.verdict = verdict_of(result.results);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -7,6 +7,7 @@
 
 #include "validate/compare/claims.h"
 #include "validate/compare/images.h"
+#include "validate/pictures.h"
 #include "validate/renderers/adapter.h"
 
 namespace lumaknot::validate {
@@ -18,12 +19,7 @@ struct ValidationJob {
   std::vector<std::string> renderers;  ///< flags of renderer_entries(); empty: the default ones
   Programs programs;
   Allowances allowances = {};
-};
-
-/// PNG files for the report, created while other renderers still draw.
-struct Pictures {
-  std::string theirs, difference;
-  std::string ours_instead;  ///< our picture of the shot drawn instead of the one requested
+  bool keeps_displays = false;  ///< also fill Pictures::display
 };
 
 /// One renderer's picture of one shot, judged.
@@ -31,7 +27,7 @@ struct Judged {
   RenderedShot drawn;     ///< its image released
   Comparison comparison;  ///< if it was drawn
   Claims claims;          ///< of final shots that were drawn
-  Pictures pictures;      ///< if it was drawn
+  Pictures pictures;      ///< if it was drawn; created while other renderers still draw
 };
 
 /// One renderer's part of the result. `shots` are in the order of Validation::shots.
@@ -44,6 +40,7 @@ struct RendererResult {
   std::string coverage_note;           ///< what the images' coverage is like, if it is odd
   std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
   std::vector<ClassShare> explained;  ///< beyond what is allowed: the largest share of each class
+  std::string cause;  ///< the cause of its first difference, a sentence; empty if it agrees
 
   bool drew_any() const;
   Outcome coverage_outcome() const;
@@ -57,10 +54,11 @@ enum class Verdict { kAgreed, kExplained, kDiffered, kNothingToCompare };
 struct Validation {
   std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
   Rendering own;
-  std::vector<Claims> own_claims;         ///< of the final shots
-  std::vector<std::string> own_pictures;  ///< PNG files, one per shot
-  std::vector<RendererResult> results;    ///< one per renderer
-  double seconds = 0;                     ///< wall time of everything up to here
+  std::vector<Claims> own_claims;        ///< of the final shots
+  std::vector<OwnPicture> own_pictures;  ///< one per shot
+  std::string own_cover;                 ///< see cover_png()
+  std::vector<RendererResult> results;   ///< one per renderer
+  double seconds = 0;                    ///< wall time of everything up to here
   Verdict verdict = Verdict::kNothingToCompare;
 };
 

@@ -2,7 +2,9 @@
 /// it; they throw Error when that fails. Values are read and written unchanged.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,6 +32,11 @@ std::string grey_png(const Grid<float>& values);
 
 /// A rendered image as the bytes of a PNG file for viewing: 8 bits, limited to [0, 1], over black.
 std::string display_png(const Image& image);
+
+/// Samples of 8 bits, row by row with `channels` (1 or 3) interleaved, as the bytes of the smallest
+/// PNG file that holds them unchanged.
+std::string smallest_png(int width, int height, int channels,
+                         std::span<const std::uint8_t> samples);
 
 /// Writes a rendered image as .exr (float32, unlimited) or .png (16 bits, limited to [0, 1]), both
 /// with the coverage as alpha. The file is written whole or not at all; `flag` names it in an

@@ -52,7 +52,7 @@ SeenImage seen(Image image) {
     if (image.pixels[i].coverage == 0) return;  // black, as the grid was created
     colors.pixels[i] = lab_from_xyz<double>(xyz_from_rgb<double>(to_vec(image.pixels[i].color)));
   });
-  FlipImage flip = flip_image(image);
+  validate::FlipImage flip = validate::flip_image(image);
   return {std::move(image), std::move(colors), std::move(flip)};
 }
 

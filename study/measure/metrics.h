@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/image.h"
-#include "study/measure/flip.h"
+#include "validate/compare/flip.h"
 
 namespace lumaknot::measure {
 
@@ -19,7 +19,7 @@ struct Errors {
 struct SeenImage {
   Image image;  ///< limited to [0, 1]
   Grid<Lab<double>> colors;
-  FlipImage flip;
+  validate::FlipImage flip;
 };
 
 SeenImage seen(Image image);

@@ -48,7 +48,7 @@ FigureImage their_image(const std::string& shot, const std::string& renderer,
                         const validate::Judged& judged) {
   FigureImage image{.renderer = renderer,
                     .file = {},
-                    .png = judged.pictures.theirs,
+                    .png = judged.pictures.display,
                     .outcome = std::string(validate::outcome(judged)),
                     .why = judged.drawn.why,
                     .note = judged.drawn.note};
@@ -66,7 +66,7 @@ FigurePicture picture_of(const validate::Validation& validation, std::size_t sho
   const std::string& own = validation.own.renderer;
   picture.images.push_back({.renderer = own,
                             .file = figure_file(name, own),
-                            .png = validation.own_pictures[shot],
+                            .png = validation.own_pictures[shot].display,
                             .outcome = {},
                             .why = {},
                             .note = {}});
@@ -111,7 +111,7 @@ LightPictures draw_light(const PaperScenes& scenes, FigureLight light,
   const bool front = light == FigureLight::kFront;
   const validate::ValidationJob job{front ? scenes.front : scenes.back,
                                     front ? front_shots(scenes) : back_shots(scenes), kRenderers,
-                                    programs};
+                                    programs, true};
   const validate::Validation validation = validate::validate(job, [&](const std::string&) {
     if (on_message) on_message();
   });

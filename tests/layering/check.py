@@ -55,7 +55,7 @@ SISTERS = {
         "compare": ("renderers",),
         "gpu": (),
         "renderers": (),
-        "report": ("", "renderers"),
+        "report": ("", "compare", "renderers"),
     },
     "study": {
         "measure": (),
@@ -89,7 +89,7 @@ ENTRANCES = {
     "exporters/povray": ("scene",),
     "render/exact": ("pixels", "truth", "tube"),
     "render/fast": ("renderer", "sample_pattern", "simd_number"),
-    "validate/compare": ("allowances", "claims", "images", "quantile"),
+    "validate/compare": ("allowances", "claims", "flip", "images", "quantile"),
     "validate/gpu": ("fields", "files", "mesh_file"),
     "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "spirv"),
     "validate/report": ("forms", "page_kit"),

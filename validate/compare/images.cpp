@@ -101,6 +101,10 @@ std::size_t look_at(std::size_t count, const Look& look, const IsEnough& is_enou
   return seen;
 }
 
+PixelMark& mark_at(Comparison& result, PixelPlace place) {
+  return result.marks.at(place.x, place.y);
+}
+
 /// Finds the classes of the pixels in `outliers`, indices of `pixels`, and counts them.
 void classify(const Explainer& explainer, const Image& theirs, bool limited, const Limits& limits,
               long long allowed, const std::vector<std::size_t>& outliers,
@@ -119,6 +123,7 @@ void classify(const Explainer& explainer, const Image& theirs, bool limited, con
   constexpr std::size_t kMaxPlaces = 10;
   for (const std::size_t i : outliers) {
     ++result.classes[std::size_t(*pixels[i].why)];
+    mark_at(result, pixels[i].place) = PixelMark(1 + std::size_t(*pixels[i].why));
     if (pixels[i].why == PixelClass::kUnexplained && result.unexplained.size() < kMaxPlaces) {
       result.unexplained.push_back(pixels[i].place);
     }
@@ -129,8 +134,11 @@ void count_coverage(const Reference& reference, const std::vector<PixelPlace>& p
                     Comparison& result) {
   std::atomic<long long> explained = 0;
   std::atomic<long long> unexplained = 0;
+  for (const PixelPlace& place : places) mark_at(result, place) = kCoverageMark;
   const auto look = [&](std::size_t i) {
-    ++(explains_coverage(reference, places[i], edge) ? explained : unexplained);
+    const bool is_explained = explains_coverage(reference, places[i], edge);
+    if (is_explained) mark_at(result, places[i]) = kEdgeMark;
+    ++(is_explained ? explained : unexplained);
   };
   look_at(places.size(), look, [&] { return unexplained.load() > 0; });
   result.coverage_differs = (long long)places.size();
@@ -149,6 +157,7 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
                    const Image& theirs, bool limited, const Limits& limits,
                    const Allowances& allowances) {
   Comparison result;
+  result.marks = {theirs.width, theirs.height};
   std::vector<PixelError> pixels;
   std::vector<std::size_t> outliers;
   std::vector<PixelPlace> half_covered;
@@ -175,20 +184,6 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
   summarise(std::move(pixels), result);
   check(limits, reference, result);
   check_shares(reference, allowances, result);
-  return result;
-}
-
-Image difference(const Image& a, const Image& b, bool limited) {
-  constexpr float kGain = 16;
-  const auto value = [limited](float v) { return limited ? std::clamp(v, 0.0f, 1.0f) : v; };
-  Image result(a.width, a.height);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-    const Rgb &p = a.pixels[i].color, &q = b.pixels[i].color;
-    result.pixels[i].color = {kGain * std::abs(value(p.r) - value(q.r)),
-                              kGain * std::abs(value(p.g) - value(q.g)),
-                              kGain * std::abs(value(p.b) - value(q.b))};
-    result.pixels[i].coverage = 1;
-  }
   return result;
 }
 

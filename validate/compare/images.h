@@ -1,7 +1,9 @@
 /// Two pictures of one shot, compared.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,19 @@ namespace lumaknot::validate {
 
 /// kExplained: what differs has a class, but more does than is allowed.
 enum class Outcome { kAgreed, kExplained, kDiffered };
+
+/// What the comparison says of a pixel: 0 if nothing, 1 + its PixelClass for an outlier, or one of
+/// the last two where one image alone covers it.
+using PixelMark = std::uint8_t;
+inline constexpr std::array<std::string_view, kPixelClassNames.size() + 3> kPixelMarkNames = [] {
+  std::array<std::string_view, kPixelClassNames.size() + 3> names{"within the limit"};
+  std::ranges::copy(kPixelClassNames, names.begin() + 1);
+  names[names.size() - 2] = "covered by one, an edge beside it";
+  names[names.size() - 1] = "covered by one, unexplained";
+  return names;
+}();
+inline constexpr PixelMark kEdgeMark = kPixelMarkNames.size() - 2;
+inline constexpr PixelMark kCoverageMark = kPixelMarkNames.size() - 1;
 
 /// How another renderer's image of a shot differs from ours. An error is the largest difference of
 /// a pixel's three channels; inside means covered in both images and away from silhouettes.
@@ -33,6 +48,7 @@ struct Comparison {
                              ///< were unexplained for the pictures to differ
   std::vector<ClassShare> shares;       ///< of the classes that occur, and of all together
   std::vector<PixelPlace> unexplained;  ///< the first few of them
+  Grid<PixelMark> marks;  ///< of all pixels; released once the report's pictures are made
   /// The limits exceeded, one line each; coverage is a separate rung.
   std::vector<std::string> exceeded;
 
@@ -45,8 +61,5 @@ struct Comparison {
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
                    const Image& theirs, bool limited, const Limits& limits,
                    const Allowances& allowances = {});
-
-/// |a - b| x 16, limited to [0, 1] as in any image file; black where neither is covered.
-Image difference(const Image& a, const Image& b, bool limited);
 
 }  // namespace lumaknot::validate

@@ -16,8 +16,8 @@ struct ReportHead {
 /// The numbers as JSON, ending in a newline.
 std::string report_json(const Validation& validation, const ReportHead& head);
 
-/// A self-contained HTML page: the pictures side by side, ours on hover, the differences x 16, the
-/// numbers, versions, seconds and commands.
+/// A self-contained HTML page: the pictures, to be compared in many ways, then the numbers,
+/// versions, seconds and commands.
 std::string report_html(const Validation& validation, const ReportHead& head);
 
 /// A JUnit file for build servers: a test case per renderer and rung, without times.
@@ -28,6 +28,9 @@ std::string_view outcome(const Judged& shot);
 
 /// The same for the coverage rung.
 std::string_view coverage_outcome(const RendererResult& result);
+
+/// The same for all of a renderer's rungs: "differed" also if only some of its shots failed.
+std::string_view renderer_outcome(const RendererResult& result);
 
 /// "agreed", "explained" or "differed".
 std::string_view outcome_name(Outcome outcome);

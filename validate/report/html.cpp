@@ -5,10 +5,20 @@
 
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
+#include "validate/report/matrix.h"
 #include "validate/report/page_kit.h"
 
 namespace lumaknot::embedded {
 std::string_view report_template();
+std::string_view report_style();
+std::string_view pixels_script();
+std::string_view pixels_script_sha256();
+std::string_view painting_script();
+std::string_view painting_script_sha256();
+std::string_view viewer_script();
+std::string_view viewer_script_sha256();
+std::string_view controls_script();
+std::string_view controls_script_sha256();
 }  // namespace lumaknot::embedded
 
 namespace lumaknot::validate {
@@ -133,58 +143,66 @@ Data claims_rows(const Validation& v) {
   return list;
 }
 
-/// The style class of our picture behind a renderer's.
-std::string ours_key(const Validation& v, std::size_t shot, std::size_t renderer) {
-  const bool instead = !v.results[renderer].shots[shot].pictures.ours_instead.empty();
-  return instead ? fmt::format("{}-{}", v.shots[shot].name, renderer) : v.shots[shot].name;
+/// The renderers of `outcome`, as in "Cycles, GL and Vulkan".
+std::string names_of(const Validation& v, std::string_view outcome) {
+  std::vector<std::string> names;
+  for (const RendererResult& result : v.results) {
+    if (renderer_outcome(result) == outcome) names.push_back(result.rendering.renderer);
+  }
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
-Data own_pictures(const Validation& v) {
-  Data list(Data::type::list);
-  const auto add = [&](const std::string& key, const std::string& png) {
-    Data picture;
-    picture.set("key", key);
-    picture.set("url", picture_url(png));
-    list.push_back(picture);
-  };
-  for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    add(v.shots[s].name, v.own_pictures[s]);
-    for (std::size_t r = 0; r < v.results.size(); ++r) {
-      const std::string& instead = v.results[r].shots[s].pictures.ours_instead;
-      if (!instead.empty()) add(ours_key(v, s, r), instead);
-    }
+/// What became of a renderer that did not agree, as the end of a sentence.
+std::string finding(const RendererResult& result) {
+  if (!result.first_difference.empty()) {
+    return fmt::format("differs, first in {}. {}", result.first_difference, result.cause);
   }
+  const auto is_drawn = [](const Judged& judged) {
+    return judged.drawn.status == RenderedShot::Status::kDrawn;
+  };
+  const auto undrawn = std::ranges::find_if_not(result.shots, is_drawn);
+  if (result.outcome() == Outcome::kExplained) {
+    return fmt::format("is explained: {}. {}", explanation(result.explained), result.cause);
+  }
+  return fmt::format("{}: {}", outcome(*undrawn), undrawn->drawn.why);
+}
+
+/// The page's first sentences: each renderer that did not agree, and those that did.
+Data findings_data(const Validation& v) {
+  Data list(Data::type::list);
+  const auto add = [&](const std::string& who, std::string_view outcome, const std::string& what) {
+    Data row;
+    row.set("who", who);
+    row.set("outcome", std::string(outcome));
+    row.set("what", what);
+    list.push_back(row);
+  };
+  for (const RendererResult& result : v.results) {
+    const std::string_view outcome = renderer_outcome(result);
+    if (outcome != "agreed") add(result.rendering.renderer, outcome, finding(result));
+  }
+  const std::string agreed = names_of(v, "agreed");
+  if (!agreed.empty()) add(agreed, "agreed", "agreed with the reference in every picture drawn.");
   return list;
 }
 
-Data card_data(const Validation& v, std::size_t s, std::size_t r) {
-  const Judged& judged = v.results[r].shots[s];
-  Data card;
-  card.set("renderer", v.results[r].rendering.renderer);
-  card.set("outcome", std::string(outcome(judged)));
-  card.set("why", judged.drawn.why);
-  card.set("ours_key", ours_key(v, s, r));
-  if (judged.drawn.status == RenderedShot::Status::kDrawn) {
-    card.set("url", picture_url(judged.pictures.theirs));
-    card.set("difference", picture_url(judged.pictures.difference));
-    card.set("max", fmt::format("{:.1e}", judged.comparison.max));
-  }
-  return card;
-}
-
-Data shots_data(const Validation& v) {
-  Data finals(Data::type::list), stages(Data::type::list);
-  for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    const bool final = v.shots[s].stage == Stage::kFinal;
-    Data shot, cards(Data::type::list);
-    for (std::size_t r = 0; r < v.results.size(); ++r) cards.push_back(card_data(v, s, r));
-    shot.set("key", v.shots[s].name);
-    shot.set("title", final ? v.shots[s].name : v.shots[s].name + " alone");
-    shot.set("cards", cards);
-    (final ? finals : stages).push_back(shot);
-  }
-  for (const Data& shot : stages.list_value()) finals.push_back(shot);
-  return finals;
+/// The scripts, in order, each with the hash by which the page's policy admits it.
+Data scripts_data() {
+  Data list(Data::type::list);
+  const auto add = [&](std::string_view text, std::string_view hash) {
+    Data script;
+    script.set("text", std::string(text));
+    script.set("hash", std::string(hash));
+    list.push_back(script);
+  };
+  add(embedded::pixels_script(), embedded::pixels_script_sha256());
+  add(embedded::painting_script(), embedded::painting_script_sha256());
+  add(embedded::viewer_script(), embedded::viewer_script_sha256());
+  add(embedded::controls_script(), embedded::controls_script_sha256());
+  return list;
 }
 
 }  // namespace
@@ -200,14 +218,16 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   page.set("seconds", fmt::format("{:.1f}", v.seconds));
   page.set("width", std::to_string(v.own.shots.front().image.width));
   page.set("height", std::to_string(v.own.shots.front().image.height));
-  page.set("columns", std::to_string(v.results.size() + 1));
+  page.set("findings", findings_data(v));
+  set_matrix(v, page);
+  page.set("report_style", std::string(embedded::report_style()));
+  page.set("scripts", scripts_data());
+  page.set("viewer_json", viewer_json(v));
   page.set("own_version", v.own.version);
   page.set("own_seconds", fmt::format("{:.2f}", v.own.seconds));
   page.set("renderers", renderers_data(v));
   page.set("rows", comparison_rows(v));
   page.set("claims", claims_rows(v));
-  page.set("own_pictures", own_pictures(v));
-  page.set("shots", shots_data(v));
   return render_page(embedded::report_template(), std::move(page));
 }
 

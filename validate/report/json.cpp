@@ -96,12 +96,6 @@ Json first_difference_json(const RendererResult& result) {
   return result.first_difference.empty() ? Json() : Json(result.first_difference);
 }
 
-/// Of a renderer that drew nothing: why.
-std::string_view renderer_outcome(const RendererResult& result) {
-  const bool nothing = result.outcome() == Outcome::kAgreed && !result.drew_any();
-  return nothing ? outcome(result.shots.front()) : outcome_name(result.outcome());
-}
-
 Json renderer_json(const Validation& validation, const RendererResult& result) {
   const Rendering& r = result.rendering;
   Json shots = Json::array();

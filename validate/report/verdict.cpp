@@ -33,6 +33,11 @@ std::string_view coverage_outcome(const RendererResult& result) {
   return kOutcomeNames[std::size_t(result.coverage_outcome())];
 }
 
+std::string_view renderer_outcome(const RendererResult& result) {
+  if (!result.drew_any()) return outcome(result.shots.front());
+  return outcome_name(result.outcome());
+}
+
 std::string_view outcome_name(Outcome outcome) { return kOutcomeNames[std::size_t(outcome)]; }
 
 std::string_view verdict_name(Verdict verdict) { return kVerdictNames[std::size_t(verdict)]; }

@@ -60,27 +60,5 @@ TEST(Metrics, colours_that_no_display_shows_are_limited_first) {
   EXPECT_EQ(e.flip, 0);
 }
 
-TEST(Flip, black_and_white_are_as_far_apart_as_can_be) {
-  // 0.97 in the paper's text for black against white; colours only, since plains have no features.
-  const double flip = mean_flip(flip_image(plain(0, 0, 0)), flip_image(plain(1, 1, 1)));
-  EXPECT_GT(flip, 0.95);
-  EXPECT_LE(flip, 1);
-}
-
-TEST(Flip, a_translation_of_noise_too_fine_for_the_eye_is_less_than_one_of_blocks) {
-  const auto checkers = [](int side, int shift) {
-    Image image(64, 64);
-    for (int y = 0; y < 64; ++y) {
-      for (int x = 0; x < 64; ++x) {
-        const float c = ((x + shift) / side + y / side) % 2 == 0 ? 0.75f : 0.25f;
-        image.at(x, y) = {{c, c, c}, 1};
-      }
-    }
-    return flip_image(image);
-  };
-  EXPECT_LT(mean_flip(checkers(1, 0), checkers(1, 1)),
-            mean_flip(checkers(8, 0), checkers(8, 8)) / 3);
-}
-
 }  // namespace
 }  // namespace lumaknot::measure

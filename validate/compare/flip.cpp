@@ -1,15 +1,17 @@
-#include "study/measure/flip.h"
+#include "validate/compare/flip.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <vector>
 
 #include "math/angle.h"
 
-namespace lumaknot::measure {
+namespace lumaknot::validate {
 namespace {
 
 using Plane = Grid<float>;
@@ -195,6 +197,13 @@ Plane strength(const Plane& luma, const Kernel& detector, const Kernel& smooth) 
   return result;
 }
 
+double feature_sigma(double ppd) {
+  constexpr double kFeature = 0.082;  // degrees
+  return 0.5 * kFeature * ppd;
+}
+
+int feature_radius(double ppd) { return int(std::ceil(3 * feature_sigma(ppd))); }
+
 constexpr float kColorExponent = 0.7f;  // q_c
 constexpr float kKnee = 0.4f, kAtKnee = 0.95f;
 
@@ -213,12 +222,60 @@ float compressed(float difference) {
   return kAtKnee + (difference - knee) / (kLargest - knee) * (1 - kAtKnee);
 }
 
+/// Pixels of an image, right and bottom excluded.
+struct Box {
+  int left, top, right, bottom;
+};
+
+bool differs(const Image& a, const Image& b, const Box& box, float from) {
+  const auto far = [from](float p, float q) {
+    return std::abs(std::clamp(p, 0.0f, 1.0f) - std::clamp(q, 0.0f, 1.0f)) >= from;
+  };
+  for (int y = box.top; y < box.bottom; ++y) {
+    for (int x = box.left; x < box.right; ++x) {
+      const Rgb &p = a.at(x, y).color, &q = b.at(x, y).color;
+      if (far(p.r, q.r) || far(p.g, q.g) || far(p.b, q.b)) return true;
+    }
+  }
+  return false;
+}
+
+/// A part of an image, and what its FLIP depends on.
+struct Tile {
+  Box box, seen;
+};
+
+std::vector<Tile> tiles_of(int width, int height) {
+  constexpr int kSide = 128;
+  const int reach =
+      std::max(eye_radius(kFlipPixelsPerDegree), feature_radius(kFlipPixelsPerDegree));
+  std::vector<Tile> tiles;
+  for (int y = 0; y < height; y += kSide) {
+    for (int x = 0; x < width; x += kSide) {
+      const Box box{x, y, std::min(x + kSide, width), std::min(y + kSide, height)};
+      tiles.push_back({box,
+                       {std::max(box.left - reach, 0), std::max(box.top - reach, 0),
+                        std::min(box.right + reach, width), std::min(box.bottom + reach, height)}});
+    }
+  }
+  return tiles;
+}
+
+Image part(const Image& image, const Box& box) {
+  Image result(box.right - box.left, box.bottom - box.top);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      result.at(x, y) = image.at(box.left + x, box.top + y);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 FlipImage flip_image(const Image& image, double pixels_per_degree) {
-  constexpr double kFeature = 0.082;  // degrees
-  const double sigma = 0.5 * kFeature * pixels_per_degree;
-  const int radius = int(std::ceil(3 * sigma));
+  const double sigma = feature_sigma(pixels_per_degree);
+  const int radius = feature_radius(pixels_per_degree);
   const Opponent opponents = opponent(image);
   Plane luma = opponents.y;
   for (float& y : luma.pixels) y = (y + 16) / 116;
@@ -245,6 +302,26 @@ Grid<float> flip_errors(const FlipImage& reference, const FlipImage& test) {
   return errors;
 }
 
+Grid<float> flip_errors_near(const Image& reference, const Image& test, float from) {
+  const int width = reference.width, height = reference.height;
+  const std::vector<Tile> tiles = tiles_of(width, height);
+  std::vector<Tile> wanted;
+  std::ranges::copy_if(tiles, std::back_inserter(wanted),
+                       [&](const Tile& tile) { return differs(reference, test, tile.seen, from); });
+  if (2 * wanted.size() > tiles.size()) return flip_errors(flip_image(reference), flip_image(test));
+  Grid<float> errors(width, height);
+  for (const auto& [tile, seen] : wanted) {
+    const Grid<float> found =
+        flip_errors(flip_image(part(reference, seen)), flip_image(part(test, seen)));
+    for (int y = tile.top; y < tile.bottom; ++y) {
+      for (int x = tile.left; x < tile.right; ++x) {
+        errors.at(x, y) = found.at(x - seen.left, y - seen.top);
+      }
+    }
+  }
+  return errors;
+}
+
 double mean_flip(const FlipImage& reference, const FlipImage& test) {
   double sum = 0;
   const Grid<float> errors = flip_errors(reference, test);
@@ -252,4 +329,4 @@ double mean_flip(const FlipImage& reference, const FlipImage& test) {
   return sum / double(errors.pixels.size());
 }
 
-}  // namespace lumaknot::measure
+}  // namespace lumaknot::validate

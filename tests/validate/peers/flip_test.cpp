@@ -1,5 +1,5 @@
 // FLIP compared with its authors' own program.
-#include "study/measure/flip.h"
+#include "validate/compare/flip.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "system/atomic_file.h"
 #include "system/process.h"
 
-namespace lumaknot {
+namespace lumaknot::validate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,15 +44,15 @@ Grid<float> their_errors(const Image& reference, const Image& test) {
   const PrivateFolder folder;
   write_floats(folder.path() / "reference.bin", reference);
   write_floats(folder.path() / "test.bin", test);
-  const std::string script = std::string(LUMAKNOT_SOURCE_DIR) + "/tests/study/peers/flip.py";
+  const fs::path script = fs::path(LUMAKNOT_SOURCE_DIR) / "tests/validate/peers/flip.py";
   const ProcessResult ended =
-      run({{"/usr/bin/python3", script, std::to_string(test.width), std::to_string(test.height),
-            "reference.bin", "test.bin", "errors.bin"},
+      run({{"/usr/bin/python3", script.string(), std::to_string(test.width),
+            std::to_string(test.height), "reference.bin", "test.bin", "errors.bin"},
            folder.path(),
            {"LUMAKNOT_PEERS=" + peers_folder()}},
           std::chrono::seconds(60));
   if (!ended.succeeded()) throw std::runtime_error(ended.log);
-  EXPECT_NEAR(std::stod(ended.log), measure::kFlipPixelsPerDegree, 1e-5);  // float
+  EXPECT_NEAR(std::stod(ended.log), kFlipPixelsPerDegree, 1e-5);  // float
   const std::string bytes = read_file(folder.path() / "errors.bin", "their errors");
   Grid<float> errors(test.width, test.height);
   EXPECT_EQ(bytes.size(), errors.pixels.size() * sizeof(float));
@@ -66,8 +66,7 @@ constexpr double kPixel = 2e-4, kMean = 2e-5;
 
 void expect_same(const Image& reference, const Image& test) {
   const Grid<float> theirs = their_errors(reference, test);
-  const Grid<float> ours =
-      measure::flip_errors(measure::flip_image(reference), measure::flip_image(test));
+  const Grid<float> ours = flip_errors(flip_image(reference), flip_image(test));
   double mean = 0, largest = 0;
   for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
     const double d = double(ours.pixels[i]) - double(theirs.pixels[i]);
@@ -114,4 +113,4 @@ TEST(FlipPeer, a_coarse_knot_has_the_package_s_errors) {
 }
 
 }  // namespace
-}  // namespace lumaknot
+}  // namespace lumaknot::validate
