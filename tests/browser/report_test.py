@@ -161,6 +161,13 @@ def check_modes(browser, failures):
     failures.check(browser.evaluate("document.querySelectorAll('#histogram rect').length") > 10, "no histogram")
 
 
+def check_coverage(browser, failures):
+    browser.click('button[data-renderer="0"][data-shot="coverage"]')
+    browser.wait_for("view.column === 0 && document.getElementById('title').textContent.includes('coverage')")
+    legend = browser.evaluate("document.getElementById('legend').textContent")
+    failures.check("covered by" in legend and "turned normal" not in legend, f"coverage shows: {legend}")
+
+
 def check_keyboard(browser, failures):
     choose(browser, 0, 1)
     browser.press("ArrowRight")
@@ -247,6 +254,7 @@ def check_cube(program, chromium, folder, failures):
         check_values(browser, json_report, folder / "ours.png", failures)
         choose(browser, 0, 3)
         check_modes(browser, failures)
+        check_coverage(browser, failures)
         check_keyboard(browser, failures)
         check_pointer(browser, failures)
         failures.extend(browser.errors)

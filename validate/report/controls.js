@@ -60,7 +60,7 @@ async function drawMatrix() {
       const shot = column ? column - 1 : report.renderers[row].coverage.shot;
       const canvas = button.querySelector('canvas');
       const pixels = await cellPixels(row, shot);
-      drawSmall(canvas, pixels.drawn ? column ? paintTheirs(pixels) : paintClasses(pixels) : null, pixels);
+      drawSmall(canvas, pixels.drawn ? column ? paintTheirs(pixels) : paintClasses(pixels, true) : null, pixels);
     }
   }
   document.body.dataset.ready = true;

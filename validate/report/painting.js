@@ -31,17 +31,17 @@ const paintDifference = (pixels, gain) =>
     painted(pixels, (pixel, c) => gain * Math.abs(pixels.difference(pixel, c)));
 
 /// Ours as faint grey under the marks. Few marks are drawn three pixels wide, or nobody would see them.
-function paintClasses(pixels) {
+function paintClasses(pixels, coverage) {
   const grey = (pixel) =>
       (pixels.data[4 * pixel] + pixels.data[4 * pixel + 1] + pixels.data[4 * pixel + 2]) / (3 * 255);
   const image = painted(pixels, (pixel) => pixels.cover(pixel) ? 0.12 + 0.3 * grey(pixel) : 0);
   const {width, height} = pixels;
-  const reach = marksAreFew(pixels) ? 1 : 0;
+  const reach = marksAreFew(pixels, coverage) ? 1 : 0;
   const set = (x, y, rgb) => {
     if (x >= 0 && x < width && y >= 0 && y < height) image.data.set(rgb, 4 * (y * width + x));
   };
   for (let pixel = 0; pixel < width * height; ++pixel) {
-    const mark = pixels.mark(pixel);
+    const mark = shownMark(pixels, pixel, coverage);
     if (!mark) continue;
     const x = pixel % width, y = (pixel - x) / width;
     for (let dy = -reach; dy <= reach; ++dy) {
@@ -51,9 +51,9 @@ function paintClasses(pixels) {
   return image;
 }
 
-function marksAreFew(pixels) {
+function marksAreFew(pixels, coverage) {
   const all = pixels.width * pixels.height;
-  return all > 40000 && all - markCounts(pixels)[0] < all / 200;
+  return all > 40000 && all - markCounts(pixels, coverage)[0] < all / 200;
 }
 
 function magmaColor(value) {

@@ -132,9 +132,15 @@ function worstPlace(pixels) {
   return [worst % pixels.width, Math.floor(worst / pixels.width)];
 }
 
+/// A pixel's mark; of coverage alone only the last two are.
+const shownMark = (pixels, pixel, coverage) => {
+  const mark = pixels.mark(pixel);
+  return coverage && mark < report.markNames.length - 2 ? 0 : mark;
+};
+
 /// The pixels of each mark, by its number.
-function markCounts(pixels) {
+function markCounts(pixels, coverage) {
   const counts = new Array(report.markNames.length).fill(0);
-  for (let pixel = 0; pixel < pixels.width * pixels.height; ++pixel) ++counts[pixels.mark(pixel)];
+  for (let pixel = 0; pixel < pixels.width * pixels.height; ++pixel) ++counts[shownMark(pixels, pixel, coverage)];
   return counts;
 }

@@ -11,13 +11,13 @@ const view = {row: 0, column: 0, renderer: 0, shot: 0, mode: 'theirs', x: 0, y: 
               ownGain: false};
 
 const gain = () => 2 ** Number(gainInput.value);
-const shown = (value) => value.toFixed(3);
+const shown = (value) => value.toFixed(3).replace(/^-0.000$/, '0.000');
 const isDrawn = (renderer, shot) => Boolean(report.renderers[renderer].cells[shot].difference);
 
 function imageOf(mode) {
   const painters = {ours: paintOurs, theirs: paintTheirs, classes: paintClasses, flip: paintFlip};
   if (mode === 'difference') return paintDifference(view.pixels, gain());
-  return view.images[mode] ??= painters[mode](view.pixels);
+  return view.images[mode] ??= painters[mode](view.pixels, view.column === 0);
 }
 
 /// Where the wipe is, in the picture's pixels.
@@ -96,7 +96,8 @@ function readoutRow(shot, pixels) {
   }
   const error = pixels.error(pixel), mark = pixels.mark(pixel);
   add(channels.map((c) => shown(pixels.ours(pixel, c))).join(' '));
-  add(channels.map((c) => shown(pixels.ours(pixel, c) + pixels.difference(pixel, c))).join(' '));
+  const theirs = channels.map((c) => pixels.ours(pixel, c) + pixels.difference(pixel, c));
+  add(theirs.map((value) => shown(pixels.limited ? Math.min(Math.max(value, 0), 1) : value)).join(' '));
   const tolerance = codeTolerance(pixels.step, error);
   add(error ? `${error.toPrecision(3)} \u00b1 ${tolerance.toPrecision(1)}` : `< ${tolerance.toPrecision(2)}`,
       pixels.limit && error > pixels.limit ? 'beyond' : '');
@@ -129,7 +130,7 @@ function choosePixel(x, y) {
 }
 
 function showLegend() {
-  const counts = markCounts(view.pixels);
+  const coverage = view.column === 0, counts = markCounts(view.pixels, coverage);
   const entries = report.markNames.map((name, mark) => {
     const entry = document.createElement('span');
     entry.style.setProperty('--swatch', cssColor(markColors[mark % markColors.length]));
@@ -137,8 +138,8 @@ function showLegend() {
     return entry;
   });
   const used = entries.filter((_, mark) => mark && counts[mark]);
-  const few = used.length && marksAreFew(view.pixels) ? ['(each drawn 3 pixels wide)'] : [];
-  byId('legend').replaceChildren(...used.length ? used : ['every pixel is within the limit'], ...few);
+  const few = used.length && marksAreFew(view.pixels, coverage) ? ['(each drawn 3 pixels wide)'] : [];
+  byId('legend').replaceChildren(...used.length ? used : [`every pixel ${coverage ? 'is covered by both or neither' : 'is within the limit'}`], ...few);
 }
 
 function showFlipText(cell) {
