@@ -94,8 +94,8 @@ Package pov_textures(const Texture& texture, std::span<const Shot> shots,
 }
 
 Package pov_package(const Scene& original, const std::string& name) {
-  const double scale = pov_length_scale(original.mesh);
-  const Scene scene = scale == 1 ? original : scaled(original, scale);
+  const Placement placement = pov_placement(original.mesh);
+  const Scene scene = placed(original, placement);
   const View& view = scene.view;
   const Shot shot{"final", Stage::kFinal, view.material};
   check_pov_export(view, shot);
@@ -104,7 +104,10 @@ Package pov_package(const Scene& original, const std::string& name) {
       "// Made by lumaknot. In this folder:\n"
       "//   povray +I{0}.pov +O{0}.png +W{1} +H{2} -A +UA +FN16 File_Gamma=1.0 -D\n",
       name, view.image.width, view.image.height);
-  if (scale != 1) text += fmt::format("// Lengths are {} times the scene's.\n", scale);
+  if (placement != Placement{}) {
+    text += fmt::format("// The origin is {} of the scene, lengths are {} times as large.\n",
+                        pov_vector(placement.origin), placement.scale);
+  }
   if (const auto shortfall = pov_shortfall(view, shot)) {
     text += fmt::format("// {}.\n", *shortfall);
   }

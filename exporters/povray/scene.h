@@ -35,13 +35,20 @@ void check_pov_export(const View& view, const Shot& shot);
 bool needs_diffuse(const View& view, const Shot& shot);
 bool needs_specular(const View& view, const Shot& shot);
 
-/// The factor by which lengths must grow for POV-Ray to draw the mesh: it drops triangles and hits
-/// smaller than constants of its own. A power of two, so that no number is rounded; 1 for a mesh
-/// of 0.01 to 100,000 units.
-double pov_length_scale(const TriangleMesh& mesh);
+/// Where POV-Ray's world lies in the scene's.
+struct Placement {
+  Vec3d origin;      ///< in the scene's world
+  double scale = 1;  ///< of lengths, a power of two
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
 
-/// The same picture of a scene whose lengths are `factor` times as large.
-Scene scaled(Scene scene, double factor);
+/// The placement in which POV-Ray can draw the mesh: it drops triangles and hits smaller than
+/// constants of its own, and keeps float32 vertices, which are too coarse far from the origin. The
+/// scene's own world for a mesh of 0.01 to 100,000 units that is at most 100 times its size away.
+Placement pov_placement(const TriangleMesh& mesh);
+
+/// The same picture of the scene, in that placement.
+Scene placed(Scene scene, const Placement& placement);
 
 /// The data of a mesh2: vertices, normals, texture coordinates, triangles. POV-Ray keeps float32.
 std::string pov_mesh(const TriangleMesh& mesh);
@@ -58,8 +65,8 @@ Package pov_textures(const Texture& texture, std::span<const Shot> shots,
                      const std::string& prefix);
 
 /// NAME.pov, which draws the scene without further input, with the images that it needs. Clamps,
-/// unnormalised normals and the gamut rule are left out, with a comment that says so, and lengths
-/// scaled by pov_length_scale(). Throws Error as check_pov_export() does.
+/// unnormalised normals and the gamut rule are left out, with a comment that says so, and the scene
+/// as pov_placement() has it. Throws Error as check_pov_export() does.
 Package pov_package(const Scene& scene, const std::string& name);
 
 }  // namespace lumaknot::povray
