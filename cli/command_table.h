@@ -16,6 +16,7 @@ Subcommand export_command();
 Subcommand shader_command();
 Subcommand render_command();
 Subcommand validate_command();
+Subcommand why_command();
 Subcommand plan_command();
 Subcommand budget_command();
 Subcommand bench_command();

@@ -29,8 +29,9 @@ struct Ours {
   Reference reference;
   const std::vector<Shot>& shots;
   const Rendering& rendering;
-  std::size_t budget;   ///< bytes of a renderer's picture in the report
-  bool keeps_displays;  ///< see ValidationJob
+  std::size_t budget;                            ///< bytes of a renderer's picture in the report
+  bool keeps_displays;                           ///< see ValidationJob
+  std::vector<Grid<Sensitivity>> sensitivities;  ///< of `shots`
 
   const Image& image(Stage stage) const {
     const auto found = std::ranges::find(shots, stage, &Shot::stage);
@@ -41,21 +42,24 @@ struct Ours {
   }
 };
 
-Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, bool limited,
-             const Limits& limits, const Allowances& allowances) {
+Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, Standard standard) {
   Judged result;
   if (drawn.status == RenderedShot::Status::kDrawn) {
     const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
     Image nearest;
+    Grid<Sensitivity> nearest_sensitivities;
     if (drawn.instead) {
       nearest = shade_all(ours.reference.scene, shot, ours.reference.fragments);
+      nearest_sensitivities = sensitivities(ours.reference, shot);
     }
     const Image& mine = drawn.instead ? nearest : ours.rendering.shots[index].image;
+    standard.output_steps = drawn.output_steps;
     result.comparison =
-        compare(ours.reference, shot, mine, drawn.image, limited, limits, allowances);
+        compare(ours.reference, shot, mine, drawn.image,
+                drawn.instead ? nearest_sensitivities : ours.sensitivities[index], standard);
     if (shot.stage == Stage::kFinal) result.claims = ours.claims(drawn.image);
     result.pictures =
-        pictures_of({mine, drawn.image, limited}, result.comparison.marks, ours.budget);
+        pictures_of({mine, drawn.image, standard.limited}, result.comparison.marks, ours.budget);
     if (drawn.instead) {
       const Image& requested = ours.rendering.shots[index].image;
       result.pictures.instead = instead_picture(requested, nearest, ours.budget);
@@ -120,16 +124,19 @@ void judge_coverage(const Ours& ours, const Allowances& allowances, RendererResu
                                       ours.reference.silhouette_length, allowances);
 }
 
-RendererResult judge_all(const Ours& ours, Rendering rendering, const Allowances& allowances) {
+RendererResult judge_all(const Ours& ours, Rendering rendering, const ValidationJob& job) {
   RendererResult result;
-  const Limits& limits = renderer_entry(rendering.renderer).limits;
+  const RendererEntry& entry = renderer_entry(rendering.renderer);
+  result.promise = promise_of(entry, rendering.version);
+  const auto stated = job.limits.find(entry.flag);
+  if (stated != job.limits.end()) result.limits = stated->second;
+  const Standard standard{rendering.limited, 1, result.promise, result.limits, job.allowances};
   for (std::size_t i = 0; i < rendering.shots.size(); ++i) {
-    result.shots.push_back(
-        judge(ours, i, std::move(rendering.shots[i]), rendering.limited, limits, allowances));
+    result.shots.push_back(judge(ours, i, std::move(rendering.shots[i]), standard));
   }
   rendering.shots.clear();
   result.rendering = std::move(rendering);
-  judge_coverage(ours, allowances, result);
+  judge_coverage(ours, job.allowances, result);
   result.first_difference = first_difference(ours.shots, result);
   result.explained = explained_classes(result);
   return result;
@@ -161,8 +168,16 @@ std::vector<std::unique_ptr<Renderer>> wanted_renderers(const ValidationJob& job
 Ours draw_ours(const ValidationJob& job, const Grid<Fragment>& fragments, std::size_t renderers,
                Validation& result) {
   result.own = own_renderer(fragments)->draw(job.scene, result.shots);
-  return {Reference(job.scene, fragments), result.shots, result.own,
-          picture_budget(renderers * result.shots.size()), job.keeps_displays};
+  Ours ours{Reference(job.scene, fragments),
+            result.shots,
+            result.own,
+            picture_budget(renderers * result.shots.size()),
+            job.keeps_displays,
+            {}};
+  for (const Shot& shot : result.shots) {
+    ours.sensitivities.push_back(sensitivities(ours.reference, shot));
+  }
+  return ours;
 }
 
 }  // namespace
@@ -211,7 +226,7 @@ Validation validate(const ValidationJob& job,
   for (const auto& renderer : renderers) {
     tasks.push_back(std::async(std::launch::async, [&, ours_drawn] {
       Rendering rendering = renderer->draw(scene, result.shots);
-      RendererResult judged = judge_all(*ours_drawn.get(), std::move(rendering), job.allowances);
+      RendererResult judged = judge_all(*ours_drawn.get(), std::move(rendering), job);
       const std::lock_guard lock(telling);
       if (on_message)
         on_message(fmt::format("{}: {:.1f} s", renderer->name(), judged.rendering.seconds));

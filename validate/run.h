@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct ValidationJob {
   std::vector<std::string> renderers;  ///< flags of renderer_entries(); empty: the default ones
   Programs programs;
   Allowances allowances = {};
-  bool keeps_displays = false;  ///< also fill Pictures::display
+  bool keeps_displays = false;                             ///< also fill Pictures::display
+  std::map<std::string, Limits, std::less<>> limits = {};  ///< by the renderers' flags
 };
 
 /// One renderer's picture of one shot, judged.
@@ -33,6 +35,8 @@ struct Judged {
 /// One renderer's part of the result. `shots` are in the order of Validation::shots.
 struct RendererResult {
   Rendering rendering;  ///< its shots moved to `shots`
+  Promise promise;      ///< of the version that drew
+  Limits limits;        ///< of the user
   std::vector<Judged> shots;
   long long coverage_differs = 0;      ///< the largest of any shot: the first rung
   long long coverage_unexplained = 0;  ///< of those

@@ -9,6 +9,7 @@
 
 #include "cli/command_table.h"
 #include "cli/commands/allowance_flag.h"
+#include "cli/commands/limit_flags.h"
 #include "cli/commands/output_folder.h"
 #include "cli/commands/scene_input.h"
 #include "cli/commands/shared_arguments.h"
@@ -32,6 +33,7 @@ struct ValidateFlags {
   std::string scene = "figure2", output = "report";
   std::string junit;
   std::vector<std::string> models, renderers, allowed;
+  LimitFlags limits;
   validate::Programs programs;
   double time_limit = 300;
   Output out;
@@ -75,6 +77,8 @@ std::string repeat_command(const ValidateFlags& flags) {
   for (const std::string& model : flags.models) add("--model", model);
   for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
   for (const std::string& share : flags.allowed) add("--allow", share);
+  for (const std::string& limit : flags.limits.values) add("--limit", limit);
+  if (!flags.limits.file.empty()) add("--limits", flags.limits.file);
   for (const validate::ProgramInfo* program : validate::renderer_programs()) {
     const std::string path = flags.programs.path(*program);
     if (path != validate::Programs{}.path(*program)) add(program->flag, path);
@@ -141,8 +145,11 @@ int run(const ValidateFlags& flags) {
   check_outputs(flags, input);
   check_samples(input.spec.view.image, kMaxSamples);
   validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
-                              finals(input.spec.view.material, flags.models), flags.renderers,
-                              flags.programs, allowances_of(flags.allowed)};
+                              finals(input.spec.view.material, flags.models),
+                              flags.renderers,
+                              flags.programs,
+                              allowances_of(flags.allowed),
+                              limits_of(flags.limits)};
   check_number("--time-limit", flags.time_limit, kPositive);
   job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   const OutputFolder output_folder(flags.output, "report.html");
@@ -200,6 +207,7 @@ std::vector<Argument> validate_arguments(ValidateFlags& flags) {
        .meaning = "seconds a renderer may take",
        .range = kPositive,
        .checked = false}};
+  append(all, limit_arguments(flags.limits));
   append(all, output_arguments(flags.out));
   append(all, program_arguments(flags.programs));
   return all;

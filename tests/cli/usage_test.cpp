@@ -202,6 +202,42 @@ TEST_F(Program, validate_refuses_allowances_that_mean_nothing) {
   EXPECT_THAT(files(), ::testing::IsEmpty());
 }
 
+TEST_F(Program, validate_refuses_limits_that_mean_nothing) {
+  const auto refused = [this](const std::string& value, const std::string& part) {
+    expect_refused({"validate", "figure2", "--limit", value, "-o", "report"}, part);
+  };
+  refused("median=0.1", "--limit median=0.1 is not a known limit; known: max, p99.9, mean");
+  refused("max", "--limit max must be a number from 0 to 1");
+  refused("max=0.1,mean=1.5", "--limit mean=1.5 must be a number from 0 to 1");
+  refused("p99.9=-0.1", "from 0 to 1");
+  const auto file_refused = [this](const std::string& text, const std::string& part) {
+    write("limits.json", text);
+    expect_refused({"validate", "figure2", "--limits", "limits.json", "-o", "report"}, part);
+  };
+  file_refused("[1]", "must hold a JSON object");
+  file_refused(R"({"blender": {}})", "blender is not a known renderer; known: cycles, povray");
+  file_refused(R"({"gl": 0.5})", "limits.json: gl must be an object");
+  file_refused(R"({"gl": {"least": 0.5}})", "limits.json: gl.least is not a known limit");
+  file_refused(R"({"gl": {"max": "0.5"}})", "limits.json: gl.max must be a number from 0 to 1");
+  expect_refused({"validate", "figure2", "--limits", "none.json", "-o", "report"}, "none.json");
+  EXPECT_THAT(files(), ::testing::ElementsAre("limits.json"));
+}
+
+TEST_F(Program, why_needs_a_cell_of_a_report) {
+  expect_refused({"why", "gl/specular"}, "report.json");
+  write("report.json", "{}");
+  expect_refused({"why", "gl/specular", "--report", "."}, "is not a report of lumaknot validate");
+  write("report.json", R"({"renderers": [{"renderer": "GL", "shots": [
+    {"shot": "phong", "outcome": "agreed", "comparison": {"limits": {"worst_at": [3, 4],
+     "error": 1e-5, "limit": 2e-5, "limit_parts": {"formula": 1.5e-5, "output": 0}}}}]}]})");
+  expect_refused({"why", "gl/specular", "--report", "."}, "there are: gl/phong");
+  const ProcessResult result = lumaknot({"why", "gl/phong", "--report", "."});
+  EXPECT_THAT(result, ExitsWith(0));
+  EXPECT_EQ(result.log,
+            "gl/phong: agreed. Nearest to its limit is the pixel (3, 4): error 1e-05\n"
+            "limit 2e-05, of\n  formula              1.5e-05\n");
+}
+
 TEST_F(Program, validate_writes_a_test_case_per_renderer_and_rung) {
   const std::string none = "/nonexistent/program";
   EXPECT_THAT(lumaknot({"validate", "figure2", "--renderer", "povray,cycles", "--model", "phong",

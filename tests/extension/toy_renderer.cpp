@@ -43,6 +43,6 @@ extern const RendererEntry kToyEntry{.name = "Toy",
                                      .flag = "toy",
                                      .make = make_toy,
                                      .programs = {&kToyProgram},
-                                     .limits = {.outlier = 1e-3, .reason = "a test"}};
+                                     .promise = {.reason = "a test"}};
 
 }  // namespace lumaknot::validate

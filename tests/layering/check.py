@@ -78,7 +78,7 @@ SISTERS = {
 EVERYTHING = None
 ENTRANCES = {
     "shaders/formulas": EVERYTHING,
-    "shaders/graph": ("blender_nodes", "half", "shader"),
+    "shaders/graph": ("blender_nodes", "half", "shader", "uncertain"),
     "shaders/languages": ("backend", "emit", "functions"),
     "shaders/spaces": EVERYTHING,
     "exporters/blender": ("scene",),
@@ -89,9 +89,9 @@ ENTRANCES = {
     "exporters/povray": ("scene",),
     "render/exact": ("pixels", "truth", "tube"),
     "render/fast": ("renderer", "sample_pattern", "simd_number"),
-    "validate/compare": ("allowances", "claims", "flip", "images", "quantile"),
+    "validate/compare": ("allowances", "claims", "flip", "images", "quantile", "sensitivity"),
     "validate/gpu": ("fields", "files", "mesh_file"),
-    "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "spirv"),
+    "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "limits", "spirv"),
     "validate/report": ("forms", "page_kit"),
     "study/bench": ("report", "scaling"),
     "study/budget": ("stages",),

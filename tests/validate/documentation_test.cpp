@@ -15,7 +15,8 @@ std::string row_of(const RendererEntry& entry) {
     if (program) programs.push_back(program->name);
   }
   return fmt::format("| {} | {} | {} | {} | {} |\n", entry.name, entry.flag,
-                     entry.by_default ? "yes" : "", fmt::join(programs, ", "), entry.limits.reason);
+                     entry.by_default ? "yes" : "", fmt::join(programs, ", "),
+                     entry.promise.reason);
 }
 
 TEST(Documentation, lists_every_renderer_with_the_reason_for_its_limits) {

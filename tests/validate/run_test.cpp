@@ -45,7 +45,7 @@ TEST(RendererEntries, make_the_renderers_of_their_names) {
   std::set<std::string_view> flags;
   for (const RendererEntry* entry : renderer_entries()) {
     EXPECT_EQ(entry->make({})->name(), entry->name) << "limits are found by this name";
-    EXPECT_FALSE(entry->limits.reason.empty()) << entry->name;
+    EXPECT_FALSE(entry->promise.reason.empty()) << entry->name;
     EXPECT_TRUE(flags.insert(entry->flag).second) << entry->flag;
   }
 }

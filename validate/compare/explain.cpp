@@ -37,10 +37,6 @@ bool at_silhouette(const Scene& scene, const Grid<Fragment>& fragments, double p
   return false;
 }
 
-bool faces_away(const Scene& scene, const Fragment& fragment) {
-  return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
-}
-
 constexpr Habits kAllHabits[] = {{false, false}, {false, true}, {true, false}, {true, true}};
 
 Shot gated(Shot shot) {
@@ -80,6 +76,17 @@ Fragment behind_sample(const Reference& reference, PixelPlace place) {
   return reference.probe.at(place.x + 0.5, place.y + 0.5, depth * (1 + kSameSurface));
 }
 
+bool has_16_bits(const Texture& texture) {
+  const auto* image = std::get_if<TextureImage>(&texture);
+  const auto is_multiple = [](float v) {
+    const double steps = 65535 * double(v);
+    return std::abs(steps - std::round(steps)) < 0.01;  // float32
+  };
+  return !image || std::ranges::all_of(image->pixels, [&](const Rgb& c) {
+    return is_multiple(c.r) && is_multiple(c.g) && is_multiple(c.b);
+  });
+}
+
 }  // namespace
 
 Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
@@ -96,6 +103,10 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments) {
   return result;
 }
 
+bool faces_away(const Scene& scene, const Fragment& fragment) {
+  return dot(fragment.normal, scene.view.camera.position - fragment.position) < 0;
+}
+
 double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited) {
   const auto error = [limited](double mine, double yours) {
     return limited ? std::abs(std::clamp(mine, 0.0, 1.0) - std::clamp(yours, 0.0, 1.0))
@@ -109,6 +120,7 @@ Reference::Reference(const Scene& s, const Grid<Fragment>& f)
       fragments(f),
       silhouettes(lumaknot::validate::silhouettes(s, f)),
       silhouette_length(std::ranges::count(silhouettes.pixels, char{1})),
+      texture_has_16_bits(has_16_bits(s.texture)),
       probe(s.mesh, s.view.camera, f.width, f.height) {}
 
 Explainer::Explainer(const Reference& reference, const Shot& shot)

@@ -32,12 +32,16 @@ Grid<char> silhouettes(const Scene& scene, const Grid<Fragment>& fragments);
 /// The largest difference of the three channels; with `limited`, after limiting both to [0, 1].
 double channel_error(const Vec3d& ours, const Rgb& theirs, bool limited);
 
+/// Whether the normal points away from the viewer.
+bool faces_away(const Scene& scene, const Fragment& fragment);
+
 /// Our side of every comparison of one scene.
 struct Reference {
   const Scene& scene;
   const Grid<Fragment>& fragments;
   Grid<char> silhouettes;
   long long silhouette_length;  ///< in pixels: how many `silhouettes` marks
+  bool texture_has_16_bits;     ///< its values are multiples of 1/65535, or there is none
   SurfaceProbe probe;           ///< for samples away from the pixels' centres
 
   Reference(const Scene& s, const Grid<Fragment>& f);

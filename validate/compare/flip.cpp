@@ -94,23 +94,23 @@ Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down) {
 
 /// One Gaussian of a contrast sensitivity in space: a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees
 /// (the paper's table 1).
-struct Sensitivity {
+struct ContrastSensitivity {
   double a, b;
 };
-constexpr Sensitivity kLuma{1, 0.0047}, kRedGreen{1, 0.0053};
-constexpr Sensitivity kBlueYellow[] = {{34.1, 0.04}, {13.5, 0.025}};
+constexpr ContrastSensitivity kLuma{1, 0.0047}, kRedGreen{1, 0.0053};
+constexpr ContrastSensitivity kBlueYellow[] = {{34.1, 0.04}, {13.5, 0.025}};
 constexpr double kWidest = 0.04;  // the largest b: all filters have its radius
 
 int eye_radius(double ppd) {
   return int(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * ppd));
 }
 
-Kernel eye_kernel(const Sensitivity& s, double ppd) {
+Kernel eye_kernel(const ContrastSensitivity& s, double ppd) {
   return gaussian(std::sqrt(s.b / (2 * kPi * kPi)) * ppd, eye_radius(ppd));
 }
 
 /// The weight of a Gaussian among several, the kernels of which have a sum of one.
-double share_of(const Sensitivity& s, double ppd) {
+double share_of(const ContrastSensitivity& s, double ppd) {
   double sum = 0;
   const int radius = eye_radius(ppd);
   for (int x = -radius; x <= radius; ++x) {

@@ -9,6 +9,8 @@
 
 #include "validate/compare/allowances.h"
 #include "validate/compare/explain.h"
+#include "validate/compare/sensitivity.h"
+#include "validate/compare/shift.h"
 #include "validate/renderers/adapter.h"
 #include "validate/renderers/limits.h"
 
@@ -30,6 +32,15 @@ inline constexpr std::array<std::string_view, kPixelClassNames.size() + 3> kPixe
 inline constexpr PixelMark kEdgeMark = kPixelMarkNames.size() - 2;
 inline constexpr PixelMark kCoverageMark = kPixelMarkNames.size() - 1;
 
+/// How far the errors are from each pixel's own limit.
+struct LimitUse {
+  double p50 = 0, p99 = 0, p999 = 0,
+         max = 0;    ///< of error / limit, inside, without classed outliers
+  PixelPlace worst;  ///< where that is largest
+  double error = 0;  ///< there
+  LimitParts limit;  ///< there; all zero if the user states it
+};
+
 /// How another renderer's image of a shot differs from ours. An error is the largest difference of
 /// a pixel's three channels; inside means covered in both images and away from silhouettes.
 struct Comparison {
@@ -39,10 +50,13 @@ struct Comparison {
   bool has_no_coverage = false;        ///< theirs: colours are compared where ours is covered
   long long inside = 0;
   double mean = 0, rmse = 0, p99 = 0, p999 = 0, p9999 = 0, max = 0;
-  /// The same for the pixels inside that are not classified outliers; the limits apply to these.
+  /// The same for the pixels inside that are not classified outliers.
   double mean_unclassed = 0, p999_unclassed = 0, p9999_unclassed = 0;
   PixelPlace max_at;
-  long long outliers = 0;  ///< pixels covered in both whose error exceeds Limits::outlier
+  LimitUse use;
+  Shift shift;
+  double shift_limit = 0;  ///< pixels
+  long long outliers = 0;  ///< pixels covered in both whose error exceeds their limit
   std::array<long long, kPixelClassNames.size()> classes{};  ///< the outliers by class
   long long unsearched = 0;  ///< unexplained outliers that no class was tried on: enough others
                              ///< were unexplained for the pictures to differ
@@ -55,11 +69,19 @@ struct Comparison {
   Outcome outcome() const;
 };
 
-/// `theirs` against `ours`, our own image of `shot`. With `limited`, both are limited to [0, 1]
-/// first. An image without any coverage is compared by its colours where ours is covered. On all
-/// cores.
+/// What an image is held to.
+struct Standard {
+  bool limited = false;     ///< colours are limited to [0, 1] first
+  double output_steps = 1;  ///< of which the image's values are sums
+  Promise promise = {};
+  Limits limits = {};  ///< of the user
+  Allowances allowances = {};
+};
+
+/// `theirs` against `ours`, our own image of `shot`, whose sensitivities are given. An image
+/// without any coverage is compared by its colours where ours is covered. On all cores.
 Comparison compare(const Reference& reference, const Shot& shot, const Image& ours,
-                   const Image& theirs, bool limited, const Limits& limits,
-                   const Allowances& allowances = {});
+                   const Image& theirs, const Grid<Sensitivity>& sensitivities,
+                   const Standard& standard);
 
 }  // namespace lumaknot::validate

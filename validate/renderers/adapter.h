@@ -18,9 +18,10 @@ namespace lumaknot::validate {
 struct RenderedShot {
   enum class Status { kDrawn, kFailed, kSkipped };
   Status status = Status::kSkipped;
-  std::string why;   ///< when it failed or was skipped: the reason and the remedy
-  Image image;       ///< when it was drawn
-  std::string note;  ///< how it was drawn, when not simply by the renderer
+  std::string why;          ///< when it failed or was skipped: the reason and the remedy
+  Image image;              ///< when it was drawn
+  std::string note;         ///< how it was drawn, when not simply by the renderer
+  double output_steps = 1;  ///< how many steps of the renderer's images add up in this one
   /// When the renderer can't draw the shot as it stands: the nearest one, which it drew and with
   /// which its image is to be compared.
   std::optional<Shot> instead;

@@ -120,6 +120,12 @@ class Blender final : public Renderer {
   bool needs_display_;
 };
 
+Promise eevee_promise(Promise promise, std::string_view version) {
+  // Errors of a whole step were seen: its half floats are cut, not rounded.
+  if (cuts_negative_colors(std::string(version))) promise.output_relative = 2 * kStepHalf;
+  return promise;
+}
+
 std::unique_ptr<Renderer> make_cycles(const Programs& programs) {
   return std::make_unique<Blender>(programs, "cycles", "Cycles", false);
 }
@@ -136,13 +142,10 @@ extern const RendererEntry kCyclesEntry{
     .by_default = true,
     .make = make_cycles,
     .programs = {&kBlenderProgram},
-    .limits = {.edge = 1e-3,
-               .mean = 5e-4,
-               .p999 = 5e-3,
-               .outlier = 5e-3,
-               .reason = "positions, normals and texture coordinates in float32: a few units in "
-                         "the last place are a thousandth of a texel at twenty tiles of a hundred, "
-                         "times the texture's steps, up to 1"}};
+    .promise = {.power_error = 1e-6,
+                .texture_step = kStep16,
+                .reason = "float32 throughout: positions, normals and texture coordinates are "
+                          "rounded four times, a sample's place in the image twice"}};
 
 extern const RendererEntry kEeveeEntry{
     .name = "Eevee",
@@ -150,15 +153,15 @@ extern const RendererEntry kEeveeEntry{
     .by_default = true,
     .make = make_eevee,
     .programs = {&kBlenderProgram, &kXvfbProgram},
-    .limits = {.edge = 1.0 / 128,
-               .mean = 5e-4,
-               .p999 = 5e-3,
-               .outlier = 5e-3,
-               .unexplained = 0.01,
-               .reason =
-                   "the OpenGL rasteriser snaps vertices to a grid of 1/256 pixel: that moves what "
-                   "a sample sees by up to 0.004 pixel, and turns the plane of triangles thinner "
-                   "than the grid; half-float buffers from 4.2 on. The texture is fetched texel "
-                   "by texel, since its own filter always takes mipmaps"}};
+    .promise = {.grid_bits = 8,
+                .sample_roundings = 1.5,
+                .power_error = 1e-6,
+                .texture_step = kStep16,
+                .unexplained = 0.01,
+                .reason = "float32 as in Cycles; the OpenGL rasteriser snaps vertices to a grid of "
+                          "1/256 pixel, which moves edges, and its depth buffer has steps: 1 % of "
+                          "the silhouette; half-float buffers from 4.2 on. The texture is fetched "
+                          "texel by texel, since its own filter always takes mipmaps"},
+    .promise_of = eevee_promise};
 
 }  // namespace lumaknot::validate

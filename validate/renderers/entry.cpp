@@ -29,6 +29,10 @@ const RendererEntry& renderer_entry(std::string_view name) {
   throw std::logic_error(fmt::format("no renderer is called {}", name));
 }
 
+Promise promise_of(const RendererEntry& entry, std::string_view version) {
+  return entry.promise_of ? entry.promise_of(entry.promise, version) : entry.promise;
+}
+
 std::vector<const ProgramInfo*> renderer_programs() {
   std::vector<const ProgramInfo*> programs;
   for (const RendererEntry* entry : renderer_entries()) {

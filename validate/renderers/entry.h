@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "validate/renderers/adapter.h"
-#include "validate/renderers/limits.h"
+#include "validate/renderers/promise.h"
 
 namespace lumaknot::validate {
 
@@ -21,7 +21,9 @@ struct RendererEntry {
   bool by_default = false;
   std::unique_ptr<Renderer> (*make)(const Programs& programs);
   std::array<const ProgramInfo*, 2> programs{};  ///< that it runs
-  Limits limits;
+  Promise promise;
+  /// What another version promises; null: the same.
+  Promise (*promise_of)(Promise promise, std::string_view version) = nullptr;
 };
 
 /// All of them, in order.
@@ -29,6 +31,9 @@ std::span<const RendererEntry* const> renderer_entries();
 
 /// The entry of the renderer called `name`. Throws std::logic_error if there is none.
 const RendererEntry& renderer_entry(std::string_view name);
+
+/// What the renderer promises in the version that it reports.
+Promise promise_of(const RendererEntry& entry, std::string_view version);
 
 /// The programs that renderers run, each once.
 std::vector<const ProgramInfo*> renderer_programs();

@@ -136,17 +136,25 @@ std::unique_ptr<Renderer> make(const Programs& programs) {
   return std::make_unique<Gpu>(interface, programs);
 }
 
-/// Emitted shaders on an OpenGL-style rasteriser.
-constexpr Limits kLimits{
-    .edge = 1.0 / 128,
-    .mean = 5e-4,
-    .p999 = 5e-3,
-    .outlier = 5e-3,
+/// Emitted shaders on a rasteriser as OpenGL and Vulkan allow it.
+constexpr Promise kPromise{
+    .grid_bits = 8,
+    .snaps_shade = true,
+    .power_error = 1e-6,
+    .texel_weight = 1.0 / 256,
     .unexplained = 0.002,
     .reason =
-        "the rasteriser snaps vertices to a grid of 1/256 pixel: that moves what a sample "
-        "sees by up to 0.004 pixel, and turns the plane of triangles thinner than the grid; "
-        "positions, normals and texture coordinates are interpolated in float32"};
+        "the rasteriser snaps vertices to a grid of 1/256 pixel, and filters textures with "
+        "weights of 8 bits; all else is float32. Mesa's llvmpipe interpolates between "
+        "vertices that are not snapped, with float32 weights"};
+
+Promise gpu_promise(Promise promise, std::string_view version) {
+  if (version.find("llvmpipe") == std::string_view::npos) return promise;
+  promise.snaps_shade = false;
+  promise.texel_weight = 0;
+  promise.sample_roundings = 1;
+  return promise;
+}
 
 }  // namespace
 
@@ -155,25 +163,29 @@ extern const RendererEntry kGlEntry{.name = kGl.name,
                                     .by_default = true,
                                     .make = make<kGl>,
                                     .programs = {&kGpuProgram},
-                                    .limits = kLimits};
+                                    .promise = kPromise,
+                                    .promise_of = gpu_promise};
 
 extern const RendererEntry kGlesEntry{.name = kGles.name,
                                       .flag = "gles",
                                       .make = make<kGles>,
                                       .programs = {&kGpuProgram},
-                                      .limits = kLimits};
+                                      .promise = kPromise,
+                                      .promise_of = gpu_promise};
 
 extern const RendererEntry kVulkanEntry{.name = kVulkan.name,
                                         .flag = "vulkan",
                                         .by_default = true,
                                         .make = make<kVulkan>,
                                         .programs = {&kGpuProgram, &kGlslangProgram},
-                                        .limits = kLimits};
+                                        .promise = kPromise,
+                                        .promise_of = gpu_promise};
 
 extern const RendererEntry kHlslEntry{.name = kHlsl.name,
                                       .flag = "hlsl",
                                       .make = make<kHlsl>,
                                       .programs = {&kGpuProgram, &kGlslangProgram},
-                                      .limits = kLimits};
+                                      .promise = kPromise,
+                                      .promise_of = gpu_promise};
 
 }  // namespace lumaknot::validate

@@ -1,22 +1,15 @@
-/// How far a renderer's picture may differ from ours, and why.
+/// Limits of a picture's errors that a user states.
 #pragma once
 
-#include <limits>
-#include <string_view>
+#include <optional>
 
 namespace lumaknot::validate {
 
-/// An error is the largest difference of a pixel's three channels; inside means covered in both
-/// images and not at a silhouette.
+/// Errors are of colours: the largest difference of a pixel's three channels. The mean and the
+/// quantile are of pixels inside that are in no class.
 struct Limits {
-  double edge = 0;  ///< pixels by which its samples may be off the centre; a pixel covered in only
-                    ///< one image needs an edge of the surface as near as that
-  double mean = kNone, p999 = kNone, p9999 = kNone;  ///< inside, without classified outliers
-  double outlier = kNone;                            ///< a larger error needs a class
-  double unexplained = 0;  ///< outliers without a class, as a share of the silhouette's length
-  std::string_view reason;
-
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::optional<double> max = {};  ///< a larger error needs a class; empty: each pixel's own limit
+  std::optional<double> mean = {}, p999 = {};  ///< empty: none
 };
 
 }  // namespace lumaknot::validate

@@ -98,11 +98,9 @@ extern const RendererEntry kOslEntry{
     .flag = "osl",
     .make = make_osl,
     .programs = {&kOslProgram},
-    .limits = {.edge = 1e-3,
-               .mean = 5e-4,
-               .p999 = 5e-3,
-               .outlier = 5e-3,
-               .reason = "as in Cycles, float32; and the fast pow of OSL's library errs by 1.4e-5 "
-                         "+ 1.8e-7 times the exponent of its value"}};
+    .promise = {.power_error = 1.4e-5,
+                .texture_step = kStep16,
+                .reason = "as in Cycles, float32; and the fast pow of OSL's library errs by 1.4e-5 "
+                          "+ 1.8e-7 times the exponent of its value"}};
 
 }  // namespace lumaknot::validate

@@ -96,6 +96,7 @@ RenderedShot composed(const Scene& scene, const Shot& shot, const PovParts& part
   RenderedShot result;
   result.status = RenderedShot::Status::kDrawn;
   result.note = why + ": composed from the texture, diffuse and specular images that it drew";
+  result.output_steps = 1 + 2 * parts.brightness;
   Shot nearest = shot;
   nearest.material.normal = NormalUse::kUnit;
   if (shot.material.normal != NormalUse::kUnit) {
@@ -112,7 +113,15 @@ RenderedShot composed(const Scene& scene, const Shot& shot, const PovParts& part
 
 RenderedShot shown(const Scene& scene, const Shot& shot, const PovShot& planned,
                    const std::vector<RenderedShot>& frames) {
-  if (planned.frame) return frames[*planned.frame];
+  if (planned.frame) {
+    RenderedShot drawn = frames[*planned.frame];
+    // Where light acts on luma, that is a texture of 16 bits of its own, times the light.
+    if (shot.stage == Stage::kFinal && is_linear(shot.material.space)) {
+      drawn.output_steps +=
+          scene.view.ambient + brightest_light(scene.mesh, scene.view, shot.material.space);
+    }
+    return drawn;
+  }
   if (planned.parts) return composed(scene, shot, *planned.parts, planned.why, frames);
   return undrawn(1, RenderedShot::Status::kSkipped, planned.why).front();
 }
@@ -142,8 +151,8 @@ class PovRay final : public Renderer {
       return rendering;
     }
     try {
-      const double scale = povray::pov_length_scale(scene.mesh);
-      draw_in_folder(program, scale == 1 ? scene : povray::scaled(scene, scale), shots, rendering);
+      draw_in_folder(program, povray::placed(scene, povray::pov_placement(scene.mesh)), shots,
+                     rendering);
     } catch (const std::runtime_error& e) {
       rendering.shots = undrawn(shots.size(), RenderedShot::Status::kFailed, e.what());
     }
@@ -195,11 +204,10 @@ extern const RendererEntry kPovrayEntry{
     .by_default = true,
     .make = make_povray,
     .programs = {&kPovrayProgram},
-    .limits = {.edge = 1e-3,
-               .p9999 = 5e-4,
-               .outlier = 5e-4,
-               .reason =
-                   "float32 mesh; it turns normals to the viewer and draws no highlight where "
-                   "n.l < 0, which has classes of its own"}};
+    .promise = {.texture_step = kStep16,
+                .output_step = kStep16,
+                .reason = "a float32 mesh, double formulas and 16 bits of output; it turns normals "
+                          "to the viewer and draws no highlight where n.l < 0, which has classes "
+                          "of its own"}};
 
 }  // namespace lumaknot::validate

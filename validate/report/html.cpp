@@ -26,20 +26,6 @@ namespace {
 
 using Data = PageData;
 
-/// The text of a limit; empty without one.
-std::string limit_text(std::string_view name, double limit) {
-  return std::isfinite(limit) ? fmt::format("{} ≤ {:g}, ", name, limit) : "";
-}
-
-std::string limits_text(const Limits& l) {
-  return fmt::format(
-      "edges within {:.3g} pixel, {}{}{}errors above {:g} need a class, unexplained ≤ {:g} % of "
-      "the "
-      "silhouette. {}",
-      l.edge, limit_text("mean", l.mean), limit_text("p99.9", l.p999),
-      limit_text("p99.99", l.p9999), l.outlier, 100 * l.unexplained, l.reason);
-}
-
 std::string details(const Judged& judged) {
   const Comparison& c = judged.comparison;
   std::vector<std::string> parts;
@@ -96,7 +82,7 @@ Data renderers_data(const Validation& v) {
     row.set("name", r.renderer);
     row.set("version", r.version.empty() ? "not run" : r.version);
     row.set("seconds", fmt::format("{:.2f}", r.seconds));
-    row.set("limits", limits_text(renderer_entry(r.renderer).limits));
+    row.set("limits", std::string(result.promise.reason));
     if (!r.command.empty()) row.set("command", fmt::format("{}", fmt::join(r.command, " ")));
     return row;
   });

@@ -36,6 +36,26 @@ Json shares_json(const std::vector<ClassShare>& shares) {
   return list;
 }
 
+Json use_json(const LimitUse& use) {
+  Json parts = Json::object();
+  for (std::size_t i = 0; i < use.limit.of.size(); ++i) {
+    parts[std::string(kLimitPartNames[i])] = use.limit.of[i];
+  }
+  return {{"error_over_limit_p50", use.p50},    {"error_over_limit_p99", use.p99},
+          {"error_over_limit_p99.9", use.p999}, {"error_over_limit_max", use.max},
+          {"worst_at", place_json(use.worst)},  {"error", use.error},
+          {"limit", use.limit.sum()},           {"limit_parts", parts}};
+}
+
+Json shift_json(const Comparison& c) {
+  return {
+      {"x", c.shift.x},
+      {"y", c.shift.y},
+      {"standard_deviation", std::isfinite(c.shift.deviation) ? Json(c.shift.deviation) : Json()},
+      {"explains_share", c.shift.explained},
+      {"limit", c.shift_limit}};
+}
+
 Json comparison_json(const Comparison& c) {
   Json unexplained = Json::array();
   for (const PixelPlace& p : c.unexplained) unexplained.push_back(place_json(p));
@@ -53,6 +73,8 @@ Json comparison_json(const Comparison& c) {
           {"p99.99_without_classed_outliers", c.p9999_unclassed},
           {"max", c.max},
           {"max_at", place_json(c.max_at)},
+          {"limits", use_json(c.use)},
+          {"shift_pixels", shift_json(c)},
           {"outliers", c.outliers},
           {"outlier_classes", classes_json(c)},
           {"outliers_not_searched", c.unsearched},
@@ -79,17 +101,30 @@ Json shot_json(const Shot& shot, const Judged& judged) {
   return json;
 }
 
-/// A limit as JSON: null if there is none.
-Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
+Json promise_json(const Promise& p) {
+  return {{"grid_bits", p.grid_bits},
+          {"interpolates_snapped_vertices", p.snaps_shade},
+          {"sample_roundings", p.sample_roundings},
+          {"position_roundings", p.position_roundings},
+          {"normal_roundings", p.normal_roundings},
+          {"uv_roundings", p.uv_roundings},
+          {"formula_roundings", p.formula_roundings},
+          {"power_error", p.power_error},
+          {"texture_step", p.texture_step},
+          {"texel_weight", p.texel_weight},
+          {"output_step", p.output_step},
+          {"output_step_relative", p.output_relative},
+          {"unexplained_share_of_silhouette", p.unexplained},
+          {"reason", p.reason}};
+}
 
+/// The user's limits; empty without any.
 Json limits_json(const Limits& l) {
-  return {{"edge_pixels", l.edge},
-          {"mean", limit_json(l.mean)},
-          {"p99.9", limit_json(l.p999)},
-          {"p99.99", limit_json(l.p9999)},
-          {"outlier", limit_json(l.outlier)},
-          {"unexplained_share_of_silhouette", l.unexplained},
-          {"reason", l.reason}};
+  Json json = Json::object();
+  if (l.max) json["max"] = *l.max;
+  if (l.p999) json["p99.9"] = *l.p999;
+  if (l.mean) json["mean"] = *l.mean;
+  return json;
 }
 
 Json first_difference_json(const RendererResult& result) {
@@ -107,7 +142,8 @@ Json renderer_json(const Validation& validation, const RendererResult& result) {
           {"command", r.command},
           {"seconds", r.seconds},
           {"compared_limited_to_0_1", r.limited},
-          {"limits", limits_json(renderer_entry(r.renderer).limits)},
+          {"promise", promise_json(result.promise)},
+          {"limits", limits_json(result.limits)},
           {"coverage",
            {{"outcome", coverage_outcome(result)},
             {"coverage_differs", result.coverage_differs},

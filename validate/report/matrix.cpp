@@ -87,12 +87,12 @@ std::size_t coverage_shot(const RendererResult& result) {
 }
 
 Json viewed_renderer_json(const RendererResult& result) {
-  const Limits& limits = renderer_entry(result.rendering.renderer).limits;
+  const std::optional<double>& stated = result.limits.max;  // else each pixel has its own limit
   Json cells = Json::array();
   for (const Judged& judged : result.shots) cells.push_back(cell_json(judged));
   return {{"name", result.rendering.renderer},
           {"limited", result.rendering.limited},
-          {"limit", std::isfinite(limits.outlier) ? Json(limits.outlier) : Json()},
+          {"limit", stated ? Json(*stated) : Json()},
           {"coverage", {{"outcome", coverage_outcome(result)}, {"shot", coverage_shot(result)}}},
           {"cells", cells}};
 }

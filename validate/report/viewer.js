@@ -101,7 +101,7 @@ function readoutRow(shot, pixels) {
   const tolerance = codeTolerance(pixels.step, error);
   add(error ? `${error.toPrecision(3)} \u00b1 ${tolerance.toPrecision(1)}` : `< ${tolerance.toPrecision(2)}`,
       pixels.limit && error > pixels.limit ? 'beyond' : '');
-  add(pixels.limit ?? 'none');
+  add(pixels.limit ?? 'its own');
   add(pixels.cover(pixel) || mark ? report.markNames[mark] : 'background');
   return row;
 }

@@ -12,7 +12,8 @@ namespace {
 using testing::final_shot;
 using testing::small_scene;
 
-constexpr Limits kLimits{.edge = 1e-3, .outlier = 1e-3, .reason = "test"};
+/// An error of a thousandth is an outlier; edges pass within a thousandth of a pixel.
+const Standard kThousandth{.promise = {.grid_bits = 10}, .limits = {.max = 1e-3}};
 
 /// A scene with its fragments, for pictures that differ deliberately.
 struct Bench {
@@ -21,7 +22,9 @@ struct Bench {
   Reference reference{scene, fragments};
 
   Comparison compare_with(const Shot& shot, const Image& theirs, bool limited = false) const {
-    return compare(reference, shot, shade_all(scene, shot, fragments), theirs, limited, kLimits);
+    Standard standard = kThousandth;
+    standard.limited = limited;
+    return compare(reference, shot, shade_all(scene, shot, fragments), theirs, {}, standard);
   }
   long long count(const Comparison& c, PixelClass k) const { return c.classes[std::size_t(k)]; }
 
@@ -133,7 +136,9 @@ TEST(Compare, of_more_known_differences_than_are_allowed_is_explained) {
   const Image ours = shade_all(bent.scene, shot, bent.fragments);
   const Reference reference(bent.scene, bent.fragments);
   const auto judged = [&](const Allowances& allowances) {
-    return compare(reference, shot, ours, theirs, false, kLimits, allowances);
+    Standard standard = kThousandth;
+    standard.allowances = allowances;
+    return compare(reference, shot, ours, theirs, {}, standard);
   };
   const Comparison usual = judged({});
   EXPECT_EQ(usual.outcome(), Outcome::kExplained);
@@ -158,7 +163,7 @@ TEST(Explain, names_a_normal_turned_to_the_viewer) {
   const Image theirs = shade_all(bench.scene, shot, bench.fragments);
   const Image ours = shade_all(bent.scene, shot, bent.fragments);
   const Reference reference(bent.scene, bent.fragments);
-  const Comparison c = compare(reference, shot, ours, theirs, false, kLimits);
+  const Comparison c = compare(reference, shot, ours, theirs, {}, kThousandth);
   EXPECT_GT(c.outliers, 1000);
   EXPECT_GT(c.classes[std::size_t(PixelClass::kTurnedNormal)], c.outliers * 9 / 10);
 }
@@ -216,10 +221,10 @@ TEST(Explain, names_a_sample_that_an_edge_of_the_surface_passes_by) {
   const Image theirs = shade_all(aside, shot, visible_fragments(aside));
   const Comparison c = bench.compare_with(shot, theirs);
   EXPECT_GT(c.coverage_differs, 0);
-  Limits wide = kLimits;
-  wide.edge = 0.01;
+  Standard wide = kThousandth;
+  wide.promise.grid_bits = 6;
   const Image ours = shade_all(bench.scene, shot, bench.fragments);
-  EXPECT_EQ(compare(bench.reference, shot, ours, theirs, false, wide).coverage_unexplained, 0);
+  EXPECT_EQ(compare(bench.reference, shot, ours, theirs, {}, wide).coverage_unexplained, 0);
 }
 
 TEST(Explain, names_a_ray_that_slipped_between_two_triangles) {

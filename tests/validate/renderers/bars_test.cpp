@@ -52,10 +52,14 @@ TEST_P(BuiltinScene, agrees_in_every_renderer_within_the_promised_bars) {
     const RendererResult& result = result_of(v, renderer);
     ASSERT_TRUE(result.drew_any()) << renderer << ": " << result.rendering.log;
     EXPECT_LE(result.coverage_differs, snaps ? 5 : 0) << renderer;
+    std::vector<double> used;
     for (const Judged& shot : result.shots) {
       EXPECT_EQ(shot.drawn.status, RenderedShot::Status::kDrawn) << renderer << shot.drawn.why;
-      EXPECT_EQ(shot.comparison.classes[std::size_t(PixelClass::kUnexplained)], 0) << renderer;
+      used.push_back(shot.comparison.use.p999);
     }
+    std::ranges::sort(used);
+    EXPECT_GE(used[used.size() / 2], 0.25)
+        << renderer << ": limits more than four times what is measured would notice little";
   }
   for (const std::string_view shot : {"phong", "yiq-table1", "yiq-eq6"}) {
     const Comparison& cycles = judged(v, "Cycles", shot).comparison;

@@ -101,9 +101,11 @@ class RendererOfBlender : public ::testing::TestWithParam<Case> {
     for (std::size_t i = 0; i < shots.size(); ++i) {
       const RenderedShot& drawn = rendering.shots[i];
       ASSERT_EQ(drawn.status, RenderedShot::Status::kDrawn) << shots[i].name << ": " << drawn.why;
-      const Comparison c =
-          compare(reference, shots[i], shade_all(scene, shots[i], fragments), drawn.image,
-                  rendering.limited, renderer_entry(renderer_->name()).limits);
+      const Standard standard{
+          .limited = rendering.limited,
+          .promise = promise_of(renderer_entry(renderer_->name()), rendering.version)};
+      const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
+                                   drawn.image, sensitivities(reference, shots[i]), standard);
       EXPECT_GT(c.inside, 1000) << shots[i].name;
       EXPECT_EQ(c.coverage_unexplained, 0) << shots[i].name;
       EXPECT_THAT(c.exceeded, IsEmpty()) << shots[i].name;

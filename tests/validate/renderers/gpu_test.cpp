@@ -59,12 +59,12 @@ TEST_P(EmittedShaders, draw_figure2_as_we_do) {
   const Rendering rendering = draw(scene, shots);
   // 1/128 pixel: vertices are snapped to 1/256. 2e-4: what this project promises in float; beyond
   // it a pixel must be at a texel's edge or have moved by so much.
-  const Limits limits{.edge = 1.0 / 128, .outlier = 2e-4, .reason = ""};
+  const Standard standard{.promise = {.grid_bits = 7}, .limits = {.max = 2e-4}};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn) << rendering.shots[i].why;
     const Image ours = shade_all(scene, shots[i], fragments);
     const Image& theirs = rendering.shots[i].image;
-    const Comparison c = compare(reference, shots[i], ours, theirs, false, limits);
+    const Comparison c = compare(reference, shots[i], ours, theirs, {}, standard);
     EXPECT_GT(c.inside, 100'000) << "the knot fills a good part of the image";
     EXPECT_LE(c.coverage_differs, 5) << shots[i].name;
     EXPECT_LE(eight_bit_steps(reference, ours, theirs), 1) << shots[i].name;
@@ -116,12 +116,12 @@ TEST_P(EmittedShaders, draw_every_formula_gamut_rate_and_light_as_we_do) {
   const Rendering rendering = draw(scene, shots);
   // 1/128 pixel as above. At most 1e-3 without a class: ATD95 and the roots of the CIE spaces take
   // float32 roundings of 1e-5 apart, times the texture's steps where a sample moved within a texel.
-  const Limits limits{.edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
+  const Standard standard{.promise = {.grid_bits = 7}, .limits = {.max = 1e-3}};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     ASSERT_EQ(rendering.shots[i].status, RenderedShot::Status::kDrawn)
         << shots[i].name << ": " << rendering.shots[i].why;
     const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
-                                 rendering.shots[i].image, false, limits);
+                                 rendering.shots[i].image, {}, standard);
     EXPECT_LE(c.coverage_differs, 2) << shots[i].name;
     EXPECT_LE(c.mean, 1e-4) << shots[i].name;
     EXPECT_EQ(c.classes[std::size_t(PixelClass::kUnexplained)], 0)
@@ -137,10 +137,10 @@ TEST_P(EmittedShaders, draw_textures_baked_into_several_spaces) {
   const Rendering rendering = draw(scene, shots);
   const Grid<Fragment> fragments = visible_fragments(scene);
   const Reference reference(scene, fragments);
-  const Limits limits{.edge = 1.0 / 128, .outlier = 1e-3, .reason = ""};
+  const Standard standard{.promise = {.grid_bits = 7}, .limits = {.max = 1e-3}};
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Comparison c = compare(reference, shots[i], shade_all(scene, shots[i], fragments),
-                                 rendering.shots[i].image, false, limits);
+                                 rendering.shots[i].image, {}, standard);
     EXPECT_LE(c.mean, 1e-4) << shots[i].name << ": float32 and snapped vertices";
   }
 }
