@@ -101,12 +101,7 @@ std::vector<ClassShare> explained_classes(const RendererResult& result) {
   for (const Judged& judged : result.shots) {
     for (const ClassShare& share : judged.comparison.shares) add(share);
   }
-  // The sum says nothing that its parts don't.
-  const auto is_part = [](const ClassShare& s) { return s.allowance != kTotalAllowance; };
-  if (std::ranges::any_of(worst, is_part)) {
-    std::erase_if(worst, [&](const ClassShare& s) { return !is_part(s); });
-  }
-  return worst;
+  return exceeded_shares(std::move(worst));
 }
 
 /// Coverage is judged once, by the shot in which it differs most.

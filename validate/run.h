@@ -20,8 +20,8 @@ struct ValidationJob {
   std::vector<std::string> renderers;  ///< flags of renderer_entries(); empty: the default ones
   Programs programs;
   Allowances allowances = {};
-  bool keeps_displays = false;                             ///< also fill Pictures::display
   std::map<std::string, Limits, std::less<>> limits = {};  ///< by the renderers' flags
+  bool keeps_displays = false;                             ///< also fill Pictures::display
 };
 
 /// One renderer's picture of one shot, judged.

@@ -109,9 +109,11 @@ LightPictures draw_light(const PaperScenes& scenes, FigureLight light,
                          const validate::Programs& programs,
                          const std::function<void()>& on_message) {
   const bool front = light == FigureLight::kFront;
-  const validate::ValidationJob job{front ? scenes.front : scenes.back,
-                                    front ? front_shots(scenes) : back_shots(scenes), kRenderers,
-                                    programs, true};
+  const validate::ValidationJob job{.scene = front ? scenes.front : scenes.back,
+                                    .finals = front ? front_shots(scenes) : back_shots(scenes),
+                                    .renderers = kRenderers,
+                                    .programs = programs,
+                                    .keeps_displays = true};
   const validate::Validation validation = validate::validate(job, [&](const std::string&) {
     if (on_message) on_message();
   });

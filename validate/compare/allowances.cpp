@@ -1,5 +1,6 @@
 #include "validate/compare/allowances.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lumaknot::validate {
@@ -35,6 +36,13 @@ ClassShare class_share(std::size_t allowance, long long count, long long covered
   result.exceeded = allowances.stated[allowance] ? double(count) > result.cap * double(result.of)
                                                  : count > count_within(result.cap, result.of);
   return result;
+}
+
+std::vector<ClassShare> exceeded_shares(std::vector<ClassShare> shares) {
+  std::erase_if(shares, [](const ClassShare& s) { return !s.exceeded; });
+  const auto is_total = [](const ClassShare& s) { return s.allowance == kTotalAllowance; };
+  if (!std::ranges::all_of(shares, is_total)) std::erase_if(shares, is_total);
+  return shares;
 }
 
 }  // namespace lumaknot::validate

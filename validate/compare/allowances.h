@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "validate/compare/explain.h"
 
@@ -45,5 +46,8 @@ long long count_within(double share, long long of);
 /// A class of `count` pixels against its allowance.
 ClassShare class_share(std::size_t allowance, long long count, long long covered,
                        long long silhouette_length, const Allowances& allowances);
+
+/// Those beyond what is allowed; all classes together only if no class is by itself.
+std::vector<ClassShare> exceeded_shares(std::vector<ClassShare> shares);
 
 }  // namespace lumaknot::validate

@@ -26,11 +26,6 @@ std::string_view element_of(std::string_view outcome) {
   return outcome == "agreed" ? "" : "failure";
 }
 
-std::vector<ClassShare> exceeded(std::vector<ClassShare> shares) {
-  std::erase_if(shares, [](const ClassShare& s) { return !s.exceeded; });
-  return shares;
-}
-
 TestCase coverage_case(const RendererResult& result) {
   TestCase test{result.rendering.renderer, "coverage", coverage_outcome(result), {}};
   if (!result.drew_any()) {
@@ -47,7 +42,7 @@ TestCase coverage_case(const RendererResult& result) {
 TestCase shot_case(const RendererResult& result, const Shot& shot, const Judged& judged) {
   TestCase test{result.rendering.renderer, shot.name, outcome(judged), judged.drawn.why};
   const Comparison& c = judged.comparison;
-  if (test.outcome == "explained") test.message = explanation(exceeded(c.shares));
+  if (test.outcome == "explained") test.message = explanation(exceeded_shares(c.shares));
   if (test.outcome == "differed") test.message = fmt::format("{}", fmt::join(c.exceeded, "; "));
   if (test.outcome == "explained" || test.outcome == "differed") {
     test.message +=
