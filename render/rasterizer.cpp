@@ -82,7 +82,7 @@ Rasterizer::Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width
   }
 }
 
-Rasterizer::Bounds Rasterizer::bounds(const Triangle& triangle) const {
+Rasterizer::Bounds Rasterizer::bounds(const Triangle& triangle, double margin) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
   int in_front = 0;
@@ -95,9 +95,14 @@ Rasterizer::Bounds Rasterizer::bounds(const Triangle& triangle) const {
   }
   // Where an edge meets the near plane can't be computed reliably from distant corners.
   if (in_front == 1 || in_front == 2) return {0, width_, 0, height_};
-  // Samples lie at +0.5; half a pixel more on each side rules out rounding.
-  return {clamped(std::floor(x0 - 1), width_), clamped(std::ceil(x1 + 1), width_),
-          clamped(std::floor(y0 - 1), height_), clamped(std::ceil(y1 + 1), height_)};
+  const double more = margin + 1.0 / 16;  // the part rules out rounding
+  const auto first = [&](double low, int size) {
+    return clamped(std::ceil(low - 0.5 - more), size);
+  };
+  const auto end = [&](double high, int size) {
+    return clamped(std::floor(high - 0.5 + more) + 1, size);
+  };
+  return {first(x0, width_), end(x1, width_), first(y0, height_), end(y1, height_)};
 }
 
 Grid<Fragment> Rasterizer::band(int index) const {
@@ -114,10 +119,11 @@ Edges Rasterizer::edges(std::uint32_t triangle) const {
 }
 
 void Rasterizer::draw(std::uint32_t triangle, int first_row, Grid<Fragment>& band) const {
-  const Edges edges = this->edges(triangle);
   const Bounds covered = bounds(mesh_.triangles[triangle]);
   const int y0 = std::max(covered.y0, first_row);
   const int y1 = std::min(covered.y1, first_row + band.height);
+  if (covered.empty() || y0 >= y1) return;
+  const Edges edges = this->edges(triangle);
   for (int y = y0; y < y1; ++y) {
     for (int x = covered.x0; x < covered.x1; ++x) {
       draw_at(triangle, edges, projection_.ray(x + 0.5, y + 0.5), near_, band.at(x, y - first_row));

@@ -53,12 +53,14 @@ class Rasterizer {
   /// Rows [band * band_height, ...) of the image; the last band may have fewer.
   Grid<Fragment> band(int index) const;
 
-  /// The samples that a triangle may cover, half open and clipped to the image.
+  /// Samples, half open and clipped to the image.
   struct Bounds {
     int x0, x1, y0, y1;
     bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
-  Bounds bounds(const Triangle& triangle) const;
+  /// Those whose centres lie within the triangle's bounding box made `margin` samples larger on each
+  /// side.
+  Bounds bounds(const Triangle& triangle, double margin = 0) const;
 
   Edges edges(std::uint32_t triangle) const;
 

@@ -118,7 +118,7 @@ SurfaceProbe::SurfaceProbe(const TriangleMesh& mesh, const Camera& camera, int w
       rows_((height + kTile - 1) / kTile),
       tiles_(std::size_t(columns_) * std::size_t(rows_)) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Rasterizer::Bounds bounds = rasterizer_.bounds(mesh.triangles[t]);
+    const Rasterizer::Bounds bounds = rasterizer_.bounds(mesh.triangles[t], 0.5);
     if (bounds.empty()) continue;
     for (int row = bounds.y0 / kTile; row <= (bounds.y1 - 1) / kTile; ++row) {
       for (int column = bounds.x0 / kTile; column <= (bounds.x1 - 1) / kTile; ++column) {

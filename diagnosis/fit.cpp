@@ -1,0 +1,229 @@
+#include "diagnosis/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/least_squares.h"
+
+namespace lumaknot::diagnosis {
+namespace {
+
+using Values = std::vector<double>;
+
+/// The scene changed by the causes.
+Setup setup_of(const Problem& problem, const Explanation& explanation) {
+  Setup setup = problem.setup;
+  for (std::size_t i = 0; i < explanation.causes.size(); ++i) {
+    explanation.causes[i]->apply(setup, explanation.values[i]);
+  }
+  return setup;
+}
+
+/// A grid of one number per pixel, blurred by three running means in each direction.
+Values blurred(Values values, const PixelGrid& grid, int radius) {
+  const auto line = [&](std::size_t first, std::size_t stride, int count) {
+    Values sums(std::size_t(count) + 1, 0.0);
+    for (int i = 0; i < count; ++i) {
+      sums[std::size_t(i) + 1] = sums[std::size_t(i)] + values[first + std::size_t(i) * stride];
+    }
+    for (int i = 0; i < count; ++i) {
+      const int low = std::max(0, i - radius), high = std::min(count, i + radius + 1);
+      values[first + std::size_t(i) * stride] =
+          (sums[std::size_t(high)] - sums[std::size_t(low)]) / (2 * radius + 1);
+    }
+  };
+  const auto columns = std::size_t(grid.columns);
+  for (int pass = 0; pass < 3; ++pass) {
+    for (int y = 0; y < grid.rows; ++y) line(std::size_t(y) * columns, 1, grid.columns);
+    for (int x = 0; x < grid.columns; ++x) line(std::size_t(x), columns, grid.rows);
+  }
+  return values;
+}
+
+/// What is compared: residuals, `channels` of them per pixel, and each pixel's error.
+struct Residuals {
+  std::size_t channels = 4;
+  Values values;
+  Values errors;
+};
+
+Residuals color_residuals(const Target& target, const Drawn& ours) {
+  Residuals r{4, Values(4 * ours.colors.size()), errors_of(target, ours)};
+  for (std::size_t i = 0; i < ours.colors.size(); ++i) {
+    const Vec3d difference = ours.colors[i] - target.colors[i];
+    r.values[4 * i] = difference.x;
+    r.values[4 * i + 1] = difference.y;
+    r.values[4 * i + 2] = difference.z;
+    r.values[4 * i + 3] = target.facts.has_alpha ? ours.coverage[i] - target.coverage[i] : 0;
+  }
+  return r;
+}
+
+Residuals mask_residuals(const Target& target, const Values& coverage, int radius) {
+  Residuals r{1, Values(coverage.size()), Values(coverage.size())};
+  for (std::size_t i = 0; i < r.values.size(); ++i) {
+    r.values[i] = coverage[i] - target.coverage[i];
+  }
+  r.values = blurred(std::move(r.values), target.grid, radius);
+  for (std::size_t i = 0; i < r.values.size(); ++i) r.errors[i] = std::abs(r.values[i]);
+  return r;
+}
+
+/// The scale above which an error counts less: twice the median of those that are noticed.
+double robust_scale(const Residuals& r, double noise, std::size_t pixels) {
+  Values errors = r.errors;
+  const auto rank = std::ptrdiff_t(errors.size() - std::min(errors.size(), pixels / 2) - 1);
+  std::ranges::nth_element(errors, errors.begin() + std::max<std::ptrdiff_t>(rank, 0));
+  return std::max(noise, 2 * errors[std::size_t(std::max<std::ptrdiff_t>(rank, 0))]);
+}
+
+double robust_sum(const Residuals& r, double scale) {
+  double sum = 0;
+  for (const double error : r.errors) sum += std::log1p(error * error / (scale * scale));
+  return std::isfinite(sum) ? sum : 1e300;
+}
+
+/// One place in the values of the free causes.
+struct Unknown {
+  std::size_t cause, parameter;
+};
+
+/// The part of a parameter's step from which derivatives are taken in the end.
+constexpr double kMinShare = 1e-3;
+
+/// The search for one explanation's numbers.
+class Fit {
+ public:
+  Fit(const Problem& problem, Explanation start, std::size_t free, int mask_radius)
+      : problem_(problem), best_(std::move(start)), mask_radius_(mask_radius) {
+    for (std::size_t c = best_.causes.size() - free; c < best_.causes.size(); ++c) {
+      for (std::size_t p = 0; p < best_.values[c].size(); ++p) unknowns_.push_back({c, p});
+    }
+  }
+
+  bool has_unknowns() const { return !unknowns_.empty(); }
+
+  Explanation run(int steps) {
+    Residuals here = residuals(best_);
+    double damping = 1e-3, share = 1;
+    for (int step = 0; step < steps; ++step) {
+      const double scale = robust_scale(here, floor(), problem_.pixels);
+      const Values move = direction(here, scale, share, damping);
+      const double before = robust_sum(here, scale);
+      Explanation next = best_;
+      bool better = false;
+      for (double part = 1; part > 0.1 && !better; part /= 4) {
+        next = moved(move, part);
+        Residuals there = residuals(next);
+        if (robust_sum(there, scale) < before * (1 - 1e-6)) {
+          here = std::move(there);
+          better = true;
+        }
+      }
+      if (better) {
+        best_ = std::move(next);
+        damping *= 0.3;
+        share = std::max(kMinShare, 0.3 * share);
+      } else if (share > kMinShare) {
+        share = std::max(kMinShare, 0.1 * share);
+        damping = 1e-3;
+      } else {
+        break;
+      }
+    }
+    return std::move(best_);
+  }
+
+ private:
+  double floor() const { return mask_radius_ > 0 ? 0.05 : problem_.target.facts.noise; }
+
+  const Parameter& parameter(const Unknown& u) const {
+    return best_.causes[u.cause]->parameters[u.parameter];
+  }
+
+  Residuals residuals(const Explanation& e) const {
+    if (mask_radius_ == 0) return color_residuals(problem_.target, draw(problem_, e));
+    return mask_residuals(problem_.target, problem_.drawer.coverage(setup_of(problem_, e)),
+                          mask_radius_);
+  }
+
+  /// The derivative by each unknown times its step, from a change of `share` of its step.
+  std::vector<Residuals> derivatives(const Residuals& here, double share) const {
+    std::vector<Residuals> columns;
+    for (const Unknown& u : unknowns_) {
+      Explanation changed = best_;
+      double& value = changed.values[u.cause][u.parameter];
+      const double by = value + share * parameter(u).step > parameter(u).max ? -share : share;
+      value += by * parameter(u).step;
+      Residuals column = residuals(changed);
+      for (std::size_t i = 0; i < column.values.size(); ++i) {
+        column.values[i] = (column.values[i] - here.values[i]) / by;
+      }
+      columns.push_back(std::move(column));
+    }
+    return columns;
+  }
+
+  /// The Gauss-Newton step, in steps of the parameters.
+  Values direction(const Residuals& here, double scale, double share, double damping) const {
+    const std::vector<Residuals> columns = derivatives(here, share);
+    const std::size_t n = columns.size();
+    Values a(n * n, 0.0), b(n, 0.0);
+    for (std::size_t i = 0; i < here.errors.size(); ++i) {
+      const double ratio = here.errors[i] / scale;
+      const double weight = 1 / (1 + ratio * ratio);
+      for (std::size_t c = here.channels * i; c < here.channels * (i + 1); ++c) {
+        for (std::size_t j = 0; j < n; ++j) {
+          const double weighted = weight * columns[j].values[c];
+          b[j] -= weighted * here.values[c];
+          for (std::size_t k = 0; k <= j; ++k) a[j * n + k] += weighted * columns[k].values[c];
+        }
+      }
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = j + 1; k < n; ++k) a[j * n + k] = a[k * n + j];
+    }
+    return solve(std::move(a), std::move(b), damping);
+  }
+
+  Explanation moved(const Values& move, double part) const {
+    Explanation next = best_;
+    for (std::size_t j = 0; j < unknowns_.size(); ++j) {
+      const Parameter& p = parameter(unknowns_[j]);
+      double& value = next.values[unknowns_[j].cause][unknowns_[j].parameter];
+      value = std::clamp(value + part * move[j] * p.step, p.min, p.max);
+    }
+    return next;
+  }
+
+  const Problem& problem_;
+  Explanation best_;
+  int mask_radius_;
+  std::vector<Unknown> unknowns_;
+};
+
+}  // namespace
+
+Drawn draw(const Problem& problem, const Explanation& explanation) {
+  Drawn ours = problem.drawer.draw(setup_of(problem, explanation));
+  show_like(problem.target, ours);
+  return ours;
+}
+
+Explanation scored(const Problem& problem, Explanation explanation) {
+  const Drawn ours = draw(problem, explanation);
+  explanation.score = score_of(problem.target, errors_of(problem.target, ours), problem.pixels);
+  return explanation;
+}
+
+Explanation fitted(const Problem& problem, Explanation explanation, std::size_t free, int steps,
+                   bool masks) {
+  const std::vector<int> radii = masks ? std::vector<int>{6, 2, 1} : std::vector<int>{0};
+  for (const int radius : radii) {
+    Fit fit(problem, std::move(explanation), free, radius);
+    explanation = fit.has_unknowns() ? fit.run(steps) : fit.run(0);
+  }
+  return scored(problem, std::move(explanation));
+}
+
+}  // namespace lumaknot::diagnosis

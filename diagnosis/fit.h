@@ -1,0 +1,35 @@
+/// Fits the numbers of hypotheses to a picture.
+#pragma once
+
+#include "diagnosis/hypothesis.h"
+#include "diagnosis/score.h"
+
+namespace lumaknot::diagnosis {
+
+/// The picture, the scene as given, and what draws it.
+struct Problem {
+  const Target& target;
+  const Setup& setup;
+  const Drawer& drawer;
+  std::size_t pixels;  ///< that count for the score
+};
+
+/// Causes that act together, in the order in which they are applied, with their numbers.
+struct Explanation {
+  std::vector<const Hypothesis*> causes;
+  std::vector<std::vector<double>> values;  ///< of each cause
+  Score score;
+};
+
+/// The scene drawn with these causes, shown as the target is.
+Drawn draw(const Problem& problem, const Explanation& explanation);
+
+/// With its score.
+Explanation scored(const Problem& problem, Explanation explanation);
+
+/// Improves the numbers of the last `free` causes by at most `steps` steps of a robust Gauss-Newton
+/// method. With `masks`, what is compared is coverage alone, blurred less and less.
+Explanation fitted(const Problem& problem, Explanation explanation, std::size_t free, int steps,
+                   bool masks = false);
+
+}  // namespace lumaknot::diagnosis
