@@ -6,10 +6,10 @@ namespace {
 using Describe = Subcommand (*)();
 
 constexpr Describe kCommands[] = {
-    scene_command,  mesh_command,     export_command,     shader_command,
-    render_command, validate_command, why_command,        plan_command,
-    budget_command, bench_command,    chart_command,      stability_command,
-    paper_command,  doctor_command,   completion_command, man_command,
+    scene_command,      mesh_command,  export_command,    shader_command, render_command,
+    validate_command,   why_command,   diagnose_command,  plan_command,   budget_command,
+    bench_command,      chart_command, stability_command, paper_command,  doctor_command,
+    completion_command, man_command,
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ Subcommand shader_command();
 Subcommand render_command();
 Subcommand validate_command();
 Subcommand why_command();
+Subcommand diagnose_command();
 Subcommand plan_command();
 Subcommand budget_command();
 Subcommand bench_command();

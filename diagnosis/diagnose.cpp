@@ -91,6 +91,10 @@ Diagnosis diagnose(const Case& given) {
     return result;
   }
   const std::vector<Hypothesis> all = hypotheses(situation);
+  const Target coarse_target = target_of(given.theirs, given.limited, kMaxPixels / 10);
+  const Drawer coarse_drawer(coarse_target.grid);
+  const Problem coarse{coarse_target, situation.setup, coarse_drawer, coarse_target.grid.size()};
+  problem.coarse = &coarse;
   const Found found = search(problem, all);
   if (!found.accepted.empty()) {
     result.verdict = Diagnosis::Verdict::kNamed;

@@ -1,6 +1,7 @@
 #include "diagnosis/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "diagnosis/least_squares.h"
@@ -87,6 +88,9 @@ double robust_sum(const Residuals& r, double scale) {
 struct Unknown {
   std::size_t cause, parameter;
 };
+
+/// Of the blurs of masks, one after the other, pixels of the grid.
+constexpr std::array<int, 3> kMaskRadii{6, 2, 1};
 
 /// The part of a parameter's step from which derivatives are taken in the end.
 constexpr double kMinShare = 1e-3;
@@ -216,9 +220,19 @@ Explanation scored(const Problem& problem, Explanation explanation) {
   return explanation;
 }
 
+double mask_distance(const Problem& problem, const Explanation& explanation) {
+  const Values coverage = problem.drawer.coverage(setup_of(problem, explanation));
+  double sum = 0;
+  for (const double error : mask_residuals(problem.target, coverage, kMaskRadii[0]).errors) {
+    sum += error * error;
+  }
+  return sum;
+}
+
 Explanation fitted(const Problem& problem, Explanation explanation, std::size_t free, int steps,
                    bool masks) {
-  const std::vector<int> radii = masks ? std::vector<int>{6, 2, 1} : std::vector<int>{0};
+  const std::vector<int> radii =
+      masks ? std::vector<int>(kMaskRadii.begin(), kMaskRadii.end()) : std::vector<int>{0};
   for (const int radius : radii) {
     Fit fit(problem, std::move(explanation), free, radius);
     explanation = fit.has_unknowns() ? fit.run(steps) : fit.run(0);

@@ -11,7 +11,8 @@ struct Problem {
   const Target& target;
   const Setup& setup;
   const Drawer& drawer;
-  std::size_t pixels;  ///< that count for the score
+  std::size_t pixels;               ///< that count for the score
+  const Problem* coarse = nullptr;  ///< the same with a tenth of the pixels, or null
 };
 
 /// Causes that act together, in the order in which they are applied, with their numbers.
@@ -26,6 +27,9 @@ Drawn draw(const Problem& problem, const Explanation& explanation);
 
 /// With its score.
 Explanation scored(const Problem& problem, Explanation explanation);
+
+/// How far its mask, blurred, is from the target's.
+double mask_distance(const Problem& problem, const Explanation& explanation);
 
 /// Improves the numbers of the last `free` causes by at most `steps` steps of a robust Gauss-Newton
 /// method. With `masks`, what is compared is coverage alone, blurred less and less.

@@ -86,22 +86,26 @@ class Search {
     std::vector<std::vector<double>> starts = h.starts;
     if (starts.empty()) starts.push_back(scene_values(h));
     const bool masks = h.rung == Rung::kPlacement && !masks_match_;
-    std::vector<Explanation> tried;
+    std::vector<std::pair<double, Explanation>> tried;
     for (const std::vector<double>& start : starts) {
       Explanation e = first;
       insert(e, h, start);
-      tried.push_back(h.parameters.empty() || starts.size() > 1 ? scored(problem_, std::move(e))
-                                                                : std::move(e));
+      if (h.parameters.empty()) return scored(problem_, std::move(e));
+      tried.emplace_back(starts.size() > 1 ? distance_of(e, masks) : 0, std::move(e));
     }
-    if (h.parameters.empty()) return tried.front();
-    std::ranges::stable_sort(tried, {}, [](const Explanation& e) { return e.score.value; });
+    std::ranges::stable_sort(tried, {}, [](const auto& t) { return t.first; });
     constexpr std::size_t kStarts = 3;
     std::optional<Explanation> best;
     for (std::size_t i = 0; i < std::min(kStarts, tried.size()); ++i) {
-      Explanation e = fit_of(tried[i], h, masks);
+      Explanation e = fit_of(tried[i].second, h, masks);
       if (!best || e.score.value < best->score.value) best = std::move(e);
     }
     return *best;
+  }
+
+  double distance_of(const Explanation& e, bool masks) const {
+    if (masks) return mask_distance(problem_, e);
+    return scored(problem_.coarse ? *problem_.coarse : problem_, e).score.value;
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {
@@ -144,7 +148,7 @@ class Search {
       tried.resize(causes > 1 ? kRefinedPairs : kRefined);
     }
     oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
-      constexpr int kSteps = 12;
+      constexpr int kSteps = 25;
       tried[i] = fitted(problem_, std::move(tried[i]), tried[i].causes.size(), kSteps);
     });
     std::ranges::stable_sort(tried, {}, cost_of);

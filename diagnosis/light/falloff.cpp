@@ -51,12 +51,22 @@ std::vector<Hypothesis> falloff(const Situation& situation) {
                              [i](Setup& s) { *falloff_of(s.view.lights[i]) = {}; }));
     }
     const Vec3d along = situation.centre - *position_of(light);
-    if (!std::holds_alternative<PointLight>(light) || length(along) == 0) continue;
-    all.push_back(discrete("directional" + suffix(situation, i), Rung::kLight,
-                           "a directional light in place of the point light" + of(situation, i),
-                           [i, along](Setup& s) {
-                             s.view.lights[i] = DirectionalLight{along, color_of(s.view.lights[i])};
-                           }));
+    const double step = 0.01 * length(along);
+    if (!std::holds_alternative<PointLight>(light) || step == 0) continue;
+    all.push_back({.id = "directional" + suffix(situation, i),
+                   .rung = Rung::kLight,
+                   .parameters = {{"x", along.x, step}, {"y", along.y, step}, {"z", along.z, step}},
+                   .apply =
+                       [i](Setup& s, std::span<const double> p) {
+                         const LightColor color = color_of(s.view.lights[i]);
+                         s.view.lights[i] = DirectionalLight{{p[0], p[1], p[2]}, color};
+                       },
+                   .sentence =
+                       [of = of(situation, i)](std::span<const double> p) {
+                         return fmt::format(
+                             "a directional light along {} in place of the point light{}",
+                             point(normalize(Vec3d{p[0], p[1], p[2]})), of);
+                       }});
   }
   return all;
 }

@@ -10,7 +10,7 @@ std::vector<Hypothesis> aspect(const Situation&) {
                                 if (x) s.picture.placement.scale_x *= scale;
                                 if (y) s.picture.placement.scale_y *= scale;
                               });
-    h.starts = {{1}, {0.75}, {1.3}};
+    h.starts = {{1}, {0.75}, {1.3}, {0.5}, {2}};
     return h;
   };
   Hypothesis resampled = scaled("zoom-resampled", "scaled, when finished, by {:.4g}", true, true);

@@ -45,7 +45,8 @@ std::vector<Hypothesis> camera(const Situation& situation) {
   const Camera& own = situation.setup.view.camera;
   const double step = 0.005 * length(own.position - own.target);
   Hypothesis rolled = roll();
-  rolled.starts = {{0}, {90}, {-90}};
+  for (int degrees = -165; degrees <= 180; degrees += 15)
+    rolled.starts.push_back({double(degrees)});
   std::vector<Hypothesis> all{
       at_point("camera-position", "the camera at", own.position, step, &Camera::position),
       at_point("camera-target", "the camera looking at", own.target, step, &Camera::target),

@@ -23,7 +23,11 @@ std::vector<Hypothesis> fov(const Situation& situation) {
                                 number(own), 100 * std::abs(change - 1),
                                 change > 1 ? "wider" : "narrower");
            },
-       .starts = {{own}, {0.8 * own}, {std::min(1.25 * own, 170.0)}, {0.5 * own}, {std::min(2 * own, 170.0)}}}};
+       .starts = {{own},
+                  {0.8 * own},
+                  {std::min(1.25 * own, 170.0)},
+                  {0.5 * own},
+                  {std::min(2 * own, 170.0)}}}};
   if (view.image.width == view.image.height) return all;
   const double aspect = double(view.image.width) / view.image.height;
   all.push_back(discrete("fov-horizontal", Rung::kPlacement,

@@ -31,7 +31,7 @@ Hypothesis spun() {
           for (Vec3d& v : mesh.normals) turn(v);
         });
       });
-  h.starts = {{0}, {90}, {-90}, {180}};
+  for (int degrees = -165; degrees <= 180; degrees += 15) h.starts.push_back({double(degrees)});
   return h;
 }
 

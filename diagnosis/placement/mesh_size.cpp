@@ -10,7 +10,7 @@ std::vector<Hypothesis> mesh_size(const Situation&) {
                                 for (Vec3d& p : mesh.positions) p = p * scale;
                               });
                             });
-  h.starts = {{1}, {0.7}, {1.4}};
+  h.starts = {{1}, {0.7}, {1.4}, {0.5}, {2}, {0.35}, {2.8}};
   return {h};
 }
 

@@ -12,7 +12,7 @@ std::vector<Hypothesis> shift(const Situation&) {
   };
   Hypothesis rendered{.id = "shift",
                       .rung = Rung::kPlacement,
-                      .parameters = {{"x", 0, 0.05, -1e4, 1e4}, {"y", 0, 0.05, -1e4, 1e4}},
+                      .parameters = {{"x", 0, 0.5, -1e4, 1e4}, {"y", 0, 0.5, -1e4, 1e4}},
                       .apply = moved,
                       .sentence = [](std::span<const double> p) {
                         return fmt::format("moved by {} pixels to the right and {} down",

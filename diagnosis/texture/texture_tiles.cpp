@@ -5,6 +5,26 @@
 
 namespace lumaknot::diagnosis {
 
+namespace {
+
+/// Factors that are likely, and those that make another whole number of tiles of `tiles`.
+std::vector<double> factors(int tiles) {
+  std::vector<double> all{0.25, 1.0 / 3, 0.5,     2.0 / 3, 0.75, 0.8, 0.9, 1.1,
+                          1.2,  1.25,    4.0 / 3, 1.5,     2,    2.5, 3,   4};
+  for (int other = 1; other <= 3 * tiles; ++other) all.push_back(double(other) / tiles);
+  return all;
+}
+
+std::vector<std::vector<double>> repeat_starts(int tiles_u, int tiles_v) {
+  std::vector<std::vector<double>> starts;
+  for (const double u : factors(tiles_u)) starts.push_back({u, 1});
+  for (const double v : factors(tiles_v)) starts.push_back({1, v});
+  for (const double both : factors(1)) starts.push_back({both, both});
+  return starts;
+}
+
+}  // namespace
+
 std::vector<Hypothesis> texture_tiles(const Situation& situation) {
   if (!has_image(situation)) return {};
   Hypothesis repeat{.id = "texture-repeat",
@@ -20,14 +40,8 @@ std::vector<Hypothesis> texture_tiles(const Situation& situation) {
                           return fmt::format("{} times as many tiles along u, {} along v",
                                              number(p[0]), number(p[1]));
                         }};
-  for (const double u : {0.5, 1.0, 2.0}) {
-    for (const double v : {0.5, 1.0, 2.0}) repeat.starts.push_back({u, v});
-  }
-  for (const double both : {0.25, 1.0 / 3, 3.0, 4.0}) repeat.starts.push_back({both, both});
-  for (const double one : {0.25, 1.0 / 3, 3.0, 4.0}) {
-    repeat.starts.push_back({one, 1});
-    repeat.starts.push_back({1, one});
-  }
+  repeat.starts = repeat_starts(situation.knot ? situation.knot->repeat_u : 1,
+                                situation.knot ? situation.knot->repeat_v : 1);
   Hypothesis offset{.id = "texture-offset",
                     .rung = Rung::kTexture,
                     .parameters = {{"u", 0, 0.002, -4, 4}, {"v", 0, 0.002, -4, 4}},
@@ -41,10 +55,14 @@ std::vector<Hypothesis> texture_tiles(const Situation& situation) {
                           return fmt::format("texture coordinates moved by ({}, {})", number(p[0]),
                                              number(p[1]));
                         }};
-  for (int u = 0; u < 8; ++u) {
-    for (int v = 0; v < 8; ++v)
-      offset.starts.push_back(
-          {u / 8.0 > 0.5 ? u / 8.0 - 1 : u / 8.0, v / 8.0 > 0.5 ? v / 8.0 - 1 : v / 8.0});
+  constexpr int kPlaces = 32;  // along each side of a tile
+  for (int u = 0; u < kPlaces; ++u) {
+    for (int v = 0; v < kPlaces; ++v) {
+      const auto nearest = [](int i) {
+        return double(i > kPlaces / 2 ? i - kPlaces : i) / kPlaces;
+      };
+      offset.starts.push_back({nearest(u), nearest(v)});
+    }
   }
   return {repeat, offset};
 }

@@ -92,9 +92,9 @@ std::span<const float> floats(const Grid<Pixel>& grid) {
 }
 
 [[noreturn]] void refuse(std::string_view label, const std::filesystem::path& path,
-                         std::string_view why) {
+                         std::string_view why, std::string_view what = "texture") {
   if (why.empty()) why = "it is cut short or damaged";  // OpenImageIO does not always give a reason
-  throw Error(fmt::format("{} {} can't be read as a texture: {}", label, path.string(), why));
+  throw Error(fmt::format("{} {} can't be read as a {}: {}", label, path.string(), what, why));
 }
 
 void check_texture_size(const ImageSize& size) {
@@ -127,16 +127,56 @@ TextureImage texture_in(const DecodedImage& image) {
 
 }  // namespace
 
-void check_texture_file(const std::filesystem::path& path, std::string_view label) {
+namespace {
+
+/// Throws refuse()'s Error if the file is empty, not an image or cut short.
+void check_image_file(const std::filesystem::path& path, std::string_view label,
+                      std::string_view what) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (stream.peek() == std::ifstream::traits_type::eof()) {
-    refuse(label, path, errno ? std::strerror(errno) : "it is empty");
+    refuse(label, path, errno ? std::strerror(errno) : "it is empty", what);
   }
   try {
     check_image_bytes(read_file(path, label));
   } catch (const std::runtime_error& e) {
-    refuse(label, path, e.what());
+    refuse(label, path, e.what(), what);
+  }
+}
+
+/// The picture in an image of any number of channels.
+Image picture_in(const DecodedImage& read) {
+  const int channels = read.size.channels;
+  const bool is_grey = channels < 3, has_alpha = channels == 2 || channels >= 4;
+  Image image(read.size.width, read.size.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float* v = &read.values[i * std::size_t(channels)];
+    const float alpha = has_alpha ? v[is_grey ? 1 : 3] : 1;
+    const float scale = read.is_png ? alpha : 1;
+    const Rgb color = is_grey ? Rgb{v[0], v[0], v[0]} : Rgb{v[0], v[1], v[2]};
+    image.pixels[i] = {{color.r * scale, color.g * scale, color.b * scale}, alpha};
+    for (const float value : {color.r, color.g, color.b, alpha}) {
+      if (std::isfinite(value)) continue;
+      throw std::runtime_error(fmt::format("pixel ({}, {}) holds {}", int(i) % image.width,
+                                           int(i) / image.width, value));
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+void check_texture_file(const std::filesystem::path& path, std::string_view label) {
+  check_image_file(path, label, "texture");
+}
+
+Image read_picture(const std::filesystem::path& path, std::string_view label) {
+  check_image_file(path, label, "picture");
+  try {
+    const QuietStandardError quiet;
+    return picture_in(image_codec().decode(path, check_texture_size));
+  } catch (const std::runtime_error& e) {
+    refuse(label, path, e.what(), "picture");
   }
 }
 

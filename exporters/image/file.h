@@ -50,6 +50,11 @@ void check_image_extension(const std::filesystem::path& path, std::string_view f
 /// is missing, does not decode or has another size.
 Image read_image(const std::filesystem::path& path, int width, int height);
 
+/// The picture in a file of any size that another program wrote: colours multiplied by alpha; the
+/// coverage is 1 where there is none. One or two channels are grey and alpha. Throws Error calling
+/// it `label` when it can't be read or has values that are not finite.
+Image read_picture(const std::filesystem::path& path, std::string_view label);
+
 /// The bytes of an image file in base64, for a page that embeds its pictures.
 std::string base64(std::string_view bytes);
 

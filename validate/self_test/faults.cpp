@@ -197,7 +197,7 @@ void add_texture_faults(Faults& all, const Scene& scene) {
                  .scene = of_uvs([](Vec2d uv) {
                    return Vec2d{uv.v, uv.u};
                  })});
-  for (const double times : {2.0, 0.5, 1.05}) {
+  for (const double times : {2.0, 0.5, 1.25}) {
     all.push_back({.what = "number of tiles along u",
                    .names = {"texture-repeat"},
                    .numbers = {{"u", times}, {"v", 1}},
