@@ -30,13 +30,27 @@ double rounded(double x, int levels) {
   return std::round(std::clamp(x, 0.0, 1.0) * (levels - 1)) / (levels - 1);
 }
 
+/// Gamma and curve of one channel below zero, if they are not odd.
+double below_zero(const ColorUse& use, double x) {
+  if (use.below == Below::kZero) return 0;
+  if (use.curve == Curve::kEncodeSrgb) return 12.92 * x;
+  return use.curve == Curve::kDecodeSrgb ? x / 12.92 : x;
+}
+
+Vec3d transferred(const ColorUse& use, const Vec3d& color) {
+  const Vec3d odd = curved(use.curve, powered(color, 1 / use.gamma));
+  if (use.below == Below::kOdd) return odd;
+  const auto either = [&](double x, double y) { return x < 0 ? below_zero(use, x) : y; };
+  return {either(color.x, odd.x), either(color.y, odd.y), either(color.z, odd.z)};
+}
+
 Vec3d applied(const ColorUse& use, const Vec3d& color, double coverage) {
   const Vec3d gained = modulate(use.gain, color);
   Vec3d c = each(gained, [&](double x) {
     return (x + use.offset * coverage - 0.5 * coverage) * use.contrast + 0.5 * coverage;
   });
   c = rotated_hue(saturated(c, use.saturation), use.hue);
-  c = permuted(use.channels, curved(use.curve, powered(c, 1 / use.gamma)));
+  c = permuted(use.channels, transferred(use, c));
   if (use.inverted) c = Vec3d{1, 1, 1} * coverage - c;
   if (use.limited) c = each(c, [](double x) { return std::clamp(x, 0.0, 1.0); });
   if (use.levels > 0) c = each(c, [&](double x) { return rounded(x, use.levels); });

@@ -10,6 +10,7 @@ namespace lumaknot::diagnosis {
 /// |c|^exponent with the sign of c, per channel.
 Vec3d powered(const Vec3d& color, double exponent);
 
+/// The curve of each channel, odd below zero.
 Vec3d curved(Curve curve, const Vec3d& color);
 
 Vec3d permuted(const std::array<std::size_t, 3>& channels, const Vec3d& color);

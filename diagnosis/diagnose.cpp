@@ -10,7 +10,8 @@
 namespace lumaknot::diagnosis {
 namespace {
 
-constexpr long long kMaxPixels = 24'000;  // compared: more say nothing new
+constexpr long long kMaxPixels = 24'000;   // compared: more say nothing new
+constexpr long long kMaxScreened = 3'000;  // to find out which causes are worth a closer look
 
 Situation situation_of(const Case& given, const Facts& facts) {
   Situation s;
@@ -76,7 +77,7 @@ void keep_equivalents(const Found& found, Diagnosis& diagnosis) {
 
 Diagnosis diagnose(const Case& given) {
   const Target target = target_of(given.theirs, given.limited, kMaxPixels);
-  const Situation situation = situation_of(given, target.facts);
+  Situation situation = situation_of(given, target.facts);
   const Drawer drawer(target.grid);
   Problem problem{target, situation.setup, drawer, 1};
   const Drawn ours = draw(problem, {});
@@ -90,10 +91,15 @@ Diagnosis diagnose(const Case& given) {
     result.cause = {alpha ? std::vector{*alpha} : std::vector<NamedCause>{}, result.as_given};
     return result;
   }
+  situation.negative = std::ranges::any_of(ours.colors, [](const Vec3d& c) {
+    return std::min({c.x, c.y, c.z}) < 0;
+  });
   const std::vector<Hypothesis> all = hypotheses(situation);
-  const Target coarse_target = target_of(given.theirs, given.limited, kMaxPixels / 10);
+  const Target coarse_target = target_of(given.theirs, given.limited, kMaxScreened);
   const Drawer coarse_drawer(coarse_target.grid);
-  const Problem coarse{coarse_target, situation.setup, coarse_drawer, coarse_target.grid.size()};
+  const std::size_t share = target.grid.size() / coarse_target.grid.size();
+  const Problem coarse{coarse_target, situation.setup, coarse_drawer,
+                       std::max<std::size_t>(problem.pixels / share, 1)};
   problem.coarse = &coarse;
   const Found found = search(problem, all);
   if (!found.accepted.empty()) {

@@ -12,7 +12,7 @@ struct Problem {
   const Setup& setup;
   const Drawer& drawer;
   std::size_t pixels;               ///< that count for the score
-  const Problem* coarse = nullptr;  ///< the same with a tenth of the pixels, or null
+  const Problem* coarse = nullptr;  ///< the same with fewer pixels, or null
 };
 
 /// Causes that act together, in the order in which they are applied, with their numbers.

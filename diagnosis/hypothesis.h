@@ -42,6 +42,7 @@ struct Situation {
   Setup setup;                   ///< the scene as given
   std::optional<KnotSpec> knot;  ///< what the mesh was made from
   ImageSpec asked;               ///< the scene's own size
+  bool negative = false;         ///< our picture has negative colours
   bool soft_edges = false;       ///< some of their pixels are covered in part
   double extent = 1;             ///< half the diagonal of the mesh's box, scene units
   Vec3d centre;                  ///< of that box

@@ -4,21 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 
 namespace lumaknot::diagnosis {
 namespace {
 
-constexpr double kExplained = 0.97;       // of the pixels, by one cause
-constexpr double kExplainedByTwo = 0.95;  // by a pair, whose errors add up
-constexpr double kMaxValue = 1.0;         // of the score above the floor
-constexpr double kPerNumber = 0.006;      // the price of a number
-constexpr double kSpecialBonus = 0.018;   // of a named special case
-constexpr double kMinFall = 0.5;          // of the score above the floor, or nobody is accused
-constexpr double kMatchingMasks = 0.002;  // of the pixels, at most: placement is not to blame
-constexpr std::size_t kRefined = 8;       // hypotheses that are fitted to the end
+constexpr double kExplained = 0.97;        // of the pixels, by one cause
+constexpr double kExplainedByTwo = 0.985;  // by a pair, which fits more by chance
+constexpr double kMaxValue = 1.0;          // of the score above the floor
+constexpr double kPerNumber = 0.006;       // the price of a number
+constexpr double kSpecialBonus = 0.018;    // of a named special case
+constexpr double kMinFall = 0.5;           // of the score above the floor, or nobody is accused
+constexpr double kMatchingMasks = 0.002;   // of the pixels, at most: placement is not to blame
+constexpr std::size_t kRefined = 8;        // hypotheses that are fitted to the end
+constexpr std::size_t kStarts = 3;         // of each, that are followed
+constexpr std::size_t kFirstOfPairs = 8;   // single causes that others are added to
+constexpr std::size_t kPromisingPairs = 24;
 constexpr std::size_t kRefinedPairs = 5;
-constexpr std::size_t kFirstOfPairs = 3;
 
 /// The score of a picture that is right but for how its values are stored.
 double floor_of(Depth depth) {
@@ -53,23 +55,22 @@ std::vector<double> scene_values(const Hypothesis& h) {
 class Search {
  public:
   Search(const Problem& problem, const std::vector<Hypothesis>& all)
-      : problem_(problem), all_(all) {
+      : problem_(problem), screening_(problem.coarse ? *problem.coarse : problem), all_(all) {
     as_given_ = scored(problem, {});
     const Drawn ours = draw(problem, {});
     masks_match_ = mask_mismatch(problem, ours) < kMatchingMasks;
   }
 
   Found run() {
-    Found found =
-        best_of(screened({},
-                         [&](const Hypothesis& h) {
-                           return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
-                         }),
-                1);
+    const std::vector<Explanation> singles = screened({}, kStarts, [&](const Hypothesis& h) {
+      return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
+    });
+    Found found = best_of(singles, kRefined);
     if (found.accepted.empty()) {
-      merge(found, best_of(screened({}, [&](const Hypothesis& h) { return h.costly; }), 1));
+      const auto costly = [](const Hypothesis& h) { return h.costly; };
+      merge(found, best_of(screened({}, kStarts, costly), kRefined));
     }
-    if (found.accepted.empty()) merge(found, pairs());
+    if (found.accepted.empty()) merge(found, best_of(pairs(singles), kRefinedPairs));
     return found;
   }
 
@@ -81,38 +82,52 @@ class Search {
     return e.score.explained >= share && left < kMaxValue && above - left >= kMinFall * above;
   }
 
-  /// `h` added to `first`, with the best of its starts, after a few steps.
-  Explanation screen(const Explanation& first, const Hypothesis& h) const {
-    std::vector<std::vector<double>> starts = h.starts;
-    if (starts.empty()) starts.push_back(scene_values(h));
+  /// `h` added to `first`, with the best of its starts, after a few steps on few pixels.
+  Explanation screen(const Explanation& first, const Hypothesis& h, std::size_t max_starts) const {
     const bool masks = h.rung == Rung::kPlacement && !masks_match_;
     std::vector<std::pair<double, Explanation>> tried;
-    for (const std::vector<double>& start : starts) {
+    for (const std::vector<double>& start : starts_of(h)) {
       Explanation e = first;
       insert(e, h, start);
-      if (h.parameters.empty()) return scored(problem_, std::move(e));
-      tried.emplace_back(starts.size() > 1 ? distance_of(e, masks) : 0, std::move(e));
+      if (h.parameters.empty() && first.causes.empty()) return scored(screening_, std::move(e));
+      tried.emplace_back(h.starts.size() > 1 ? distance_of(e, masks) : 0, std::move(e));
     }
     std::ranges::stable_sort(tried, {}, [](const auto& t) { return t.first; });
-    constexpr std::size_t kStarts = 3;
     std::optional<Explanation> best;
-    for (std::size_t i = 0; i < std::min(kStarts, tried.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(max_starts, tried.size()); ++i) {
       Explanation e = fit_of(tried[i].second, h, masks);
       if (!best || e.score.value < best->score.value) best = std::move(e);
     }
     return *best;
   }
 
+  /// Those nearest to the scene first, so that they win where several are as good.
+  static std::vector<std::vector<double>> starts_of(const Hypothesis& h) {
+    const std::vector<double> own = scene_values(h);
+    if (h.starts.empty()) return {own};
+    std::vector<std::vector<double>> starts = h.starts;
+    std::ranges::stable_sort(starts, {}, [&](const std::vector<double>& start) {
+      double distance = 0;
+      for (std::size_t i = 0; i < own.size(); ++i) distance += std::abs(start[i] - own[i]);
+      return distance;
+    });
+    return starts;
+  }
+
   double distance_of(const Explanation& e, bool masks) const {
-    if (masks) return mask_distance(problem_, e);
-    return scored(problem_.coarse ? *problem_.coarse : problem_, e).score.value;
+    if (!masks) return scored(screening_, e).score.value;
+    // A hundredth more or less says nothing: symmetric meshes look alike from several sides.
+    return std::round(std::log(mask_distance(screening_, e) + 1e-9) * 20);
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {
-    constexpr int kScreenSteps = 3;
-    if (!masks) return fitted(problem_, start, free_of(start, h), kScreenSteps);
-    const Explanation by_mask = fitted(problem_, start, free_of(start, h), kScreenSteps, true);
-    return fitted(problem_, by_mask, free_of(by_mask, h), kScreenSteps);
+    constexpr int kScreenSteps = 3, kJointSteps = 6;
+    if (!masks) {
+      const bool alone = start.causes.size() == 1;
+      return fitted(screening_, start, start.causes.size(), alone ? kScreenSteps : kJointSteps);
+    }
+    const Explanation by_mask = fitted(screening_, start, free_of(start, h), kScreenSteps, true);
+    return fitted(screening_, by_mask, free_of(by_mask, h), kScreenSteps);
   }
 
   /// How many of the last causes must be free for `h` to be.
@@ -130,30 +145,37 @@ class Search {
   }
 
   template <class Wanted>
-  std::vector<Explanation> screened(const Explanation& first, Wanted wanted) const {
+  std::vector<Explanation> screened(const Explanation& first, std::size_t max_starts,
+                                    Wanted wanted) const {
     std::vector<const Hypothesis*> chosen;
     for (const Hypothesis& h : all_) {
       if (std::ranges::count(first.causes, &h) == 0 && wanted(h)) chosen.push_back(&h);
     }
     std::vector<Explanation> tried(chosen.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, chosen.size(),
-                              [&](std::size_t i) { tried[i] = screen(first, *chosen[i]); });
+    oneapi::tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
+      tried[i] = screen(first, *chosen[i], max_starts);
+    });
+    return tried;
+  }
+
+  /// The `count` best of `tried`, fitted on all pixels.
+  std::vector<Explanation> refined(std::vector<Explanation> tried, std::size_t count,
+                                   int steps) const {
+    std::ranges::stable_sort(tried, {}, cost_of);
+    tried.resize(std::min(tried.size(), count));
+    oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
+      const std::size_t free = tried[i].causes.size();
+      tried[i] = fitted(problem_, std::move(tried[i]), free, steps);
+    });
+    std::ranges::stable_sort(tried, {}, cost_of);
     return tried;
   }
 
   /// The best of `tried`, fitted to the end, sorted into accepted ones and the nearest.
-  Found best_of(std::vector<Explanation> tried, std::size_t causes) const {
-    std::ranges::stable_sort(tried, {}, cost_of);
-    if (tried.size() > (causes > 1 ? kRefinedPairs : kRefined)) {
-      tried.resize(causes > 1 ? kRefinedPairs : kRefined);
-    }
-    oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
-      constexpr int kSteps = 25;
-      tried[i] = fitted(problem_, std::move(tried[i]), tried[i].causes.size(), kSteps);
-    });
-    std::ranges::stable_sort(tried, {}, cost_of);
+  Found best_of(std::vector<Explanation> tried, std::size_t count) const {
+    constexpr int kSteps = 25;
     Found found;
-    for (Explanation& e : tried) {
+    for (Explanation& e : refined(std::move(tried), count, kSteps)) {
       if (accepts(e)) {
         found.accepted.push_back(std::move(e));
       } else if (!found.nearest) {
@@ -170,25 +192,25 @@ class Search {
     }
   }
 
-  /// Each of the best single causes together with every other.
-  Found pairs() const {
-    std::vector<Explanation> singles = screened({}, [&](const Hypothesis& h) {
-      return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
+  /// The most promising of the best single causes together with every other.
+  std::vector<Explanation> pairs(std::vector<Explanation> singles) const {
+    constexpr int kSteps = 6;
+    std::ranges::stable_sort(singles, {}, [&](const Explanation& e) {
+      return masks_match_ ? cost_of(e) : mask_distance(screening_, e);
     });
-    std::ranges::stable_sort(singles, {}, cost_of);
     std::vector<Explanation> tried;
     for (std::size_t i = 0; i < std::min(kFirstOfPairs, singles.size()); ++i) {
-      const Explanation first = fitted(problem_, singles[i], singles[i].causes.size(), 6);
-      for (Explanation& e : screened(first, [&](const Hypothesis& h) {
-             return !h.costly && (!masks_match_ || h.rung != Rung::kPlacement);
+      for (Explanation& e : screened(singles[i], 1, [&](const Hypothesis& h) {
+             return !h.costly && (h.rung != Rung::kPlacement || (!masks_match_ && i < 2));
            })) {
         tried.push_back(std::move(e));
       }
     }
-    return best_of(std::move(tried), 2);
+    return refined(std::move(tried), kPromisingPairs, kSteps);
   }
 
   const Problem& problem_;
+  const Problem& screening_;  ///< few pixels
   const std::vector<Hypothesis>& all_;
   Explanation as_given_;
   bool masks_match_ = true;

@@ -18,6 +18,9 @@ enum class Sampling { kBilinear, kNearest, kMipmapped };
 /// A curve that each channel of a colour is sent through.
 enum class Curve { kNone, kEncodeSrgb, kDecodeSrgb, kReinhard, kAces };
 
+/// What a curve makes of negative values, for which none is defined.
+enum class Below { kOdd, kZero, kStraight };  ///< mirrored, cut off, or the first slope continued
+
 /// How the texture is read.
 struct TextureUse {
   double u_scale = 1, v_scale = 1;    ///< of the mesh's texture coordinates
@@ -67,6 +70,7 @@ struct ColorUse {
   double hue = 0;         ///< radians, about the grey axis of YIQ
   double gamma = 1;       ///< the exponent of each channel is 1 / gamma
   Curve curve = Curve::kNone;
+  Below below = Below::kOdd;  ///< of gamma and curve
   std::array<std::size_t, 3> channels{0, 1, 2};
   bool inverted = false;  ///< the negative
   bool limited = false;   ///< to [0, 1]
