@@ -109,7 +109,8 @@ class Fit {
 
   Explanation run(int steps) {
     Residuals here = residuals(best_);
-    double damping = 1e-3, share = 1;
+    // Masks are made of whole pixels: a smaller change is not seen in them.
+    double damping = 1e-3, share = mask_radius_ > 0 ? problem_.target.grid.step : 1;
     for (int step = 0; step < steps; ++step) {
       const double scale = robust_scale(here, floor(), problem_.pixels);
       const Values move = direction(here, scale, share, damping);

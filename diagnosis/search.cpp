@@ -65,12 +65,13 @@ class Search {
     const std::vector<Explanation> singles = screened({}, kStarts, [&](const Hypothesis& h) {
       return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
     });
-    Found found = best_of(singles, kRefined);
+    Found found = best_of(promising(singles), kRefined);
     if (found.accepted.empty()) {
       const auto costly = [](const Hypothesis& h) { return h.costly; };
       merge(found, best_of(screened({}, kStarts, costly), kRefined));
     }
-    if (found.accepted.empty()) merge(found, best_of(pairs(singles), kRefinedPairs));
+    if (found.accepted.empty())
+      merge(found, without_needless(best_of(pairs(singles), kRefinedPairs)));
     return found;
   }
 
@@ -182,6 +183,29 @@ class Search {
         found.nearest = std::move(e);
       }
     }
+    return found;
+  }
+
+  /// The best by score and, as far as masks say, by mask.
+  std::vector<Explanation> promising(std::vector<Explanation> singles) const {
+    std::ranges::stable_sort(singles, {}, cost_of);
+    if (masks_match_ || singles.size() <= kRefined) return singles;
+    constexpr std::size_t kByScore = kRefined / 2;
+    std::ranges::stable_sort(singles.begin() + kByScore, singles.end(), {},
+                             [&](const Explanation& e) { return mask_distance(screening_, e); });
+    singles.resize(kRefined);
+    return singles;
+  }
+
+  /// Single causes where one of a pair explains the picture alone, once it has a better start.
+  Found without_needless(Found found) const {
+    std::vector<Explanation> alone;
+    for (const Explanation& pair : found.accepted) {
+      for (std::size_t i = 0; i < 2; ++i) alone.push_back({{pair.causes[i]}, {pair.values[i]}, {}});
+    }
+    for (Explanation& e : alone) e = scored(problem_, std::move(e));
+    Found single = best_of(std::move(alone), kRefined);
+    if (!single.accepted.empty()) found.accepted = std::move(single.accepted);
     return found;
   }
 

@@ -12,6 +12,7 @@
 #include "cli/commands/limit_flags.h"
 #include "cli/commands/output_folder.h"
 #include "cli/commands/scene_input.h"
+#include "cli/commands/self_test.h"
 #include "cli/commands/shared_arguments.h"
 #include "cli/terminal.h"
 #include "scene/check.h"
@@ -36,6 +37,7 @@ struct ValidateFlags {
   LimitFlags limits;
   validate::Programs programs;
   double time_limit = 300;
+  bool self_test = false;
   Output out;
 };
 
@@ -142,16 +144,20 @@ void write_reports(const ValidateFlags& flags, const validate::Validation& valid
 
 int run(const ValidateFlags& flags) {
   const SceneInput input = read_scene(flags.scene);
+  check_number("--time-limit", flags.time_limit, kPositive);
+  validate::Programs programs = flags.programs;
+  programs.time_limit = std::chrono::duration<double>(flags.time_limit);
+  if (flags.self_test) {
+    return run_self_test_command(input, flags.renderers, programs, flags.output, flags.out);
+  }
   check_outputs(flags, input);
   check_samples(input.spec.view.image, kMaxSamples);
   validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
                               finals(input.spec.view.material, flags.models),
                               flags.renderers,
-                              flags.programs,
+                              programs,
                               allowances_of(flags.allowed),
                               limits_of(flags.limits)};
-  check_number("--time-limit", flags.time_limit, kPositive);
-  job.programs.time_limit = std::chrono::duration<double>(flags.time_limit);
   const OutputFolder output_folder(flags.output, "report.html");
   if (!flags.junit.empty()) check_writable(flags.junit, "--junit");
   const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
@@ -202,6 +208,11 @@ std::vector<Argument> validate_arguments(ValidateFlags& flags) {
        .target = &flags.junit,
        .meaning = "file for the result as JUnit XML, which build servers read",
        .value = kFile},
+      {.names = "--self-test",
+       .target = &flags.self_test,
+       .meaning = "plant faults in the scene and in its pictures, drawn by lumaknot and by the "
+                  "renderers named, and prove that each is noticed and named; writes self-test.md",
+       .excludes = {"--model"}},
       {.names = "--time-limit",
        .target = &flags.time_limit,
        .meaning = "seconds a renderer may take",
@@ -231,6 +242,7 @@ Subcommand validate_command() {
                    {"lumaknot validate scene.json --model scene --renderer povray -o report/"},
                    {"lumaknot validate --allow turned-normal=20% --junit tests.xml"},
                    {"lumaknot validate --model cielab-cook-torrance --against gl,vulkan"},
+                   {"lumaknot validate scene.json --self-test --renderer gl -o self-test/"},
                    {"lumaknot validate figure1-back --blender /opt/blender-4.2/blender"}},
       .run = [flags] {
         const InterruptGuard guard;

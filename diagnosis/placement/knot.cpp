@@ -2,15 +2,24 @@
 #include <fmt/format.h>
 
 #include "diagnosis/cause.h"
+#include "system/error.h"
 
 namespace lumaknot::diagnosis {
 
 namespace {
 
+/// The mesh of `knot`; empty if there is none, as of a tube that is thicker than its knot.
+std::shared_ptr<const TriangleMesh> mesh_of(const KnotSpec& knot) {
+  try {
+    return std::make_shared<const TriangleMesh>(knot_mesh(knot));
+  } catch (const Error&) {
+    return std::make_shared<const TriangleMesh>();
+  }
+}
+
 Hypothesis other_knot(std::string id, std::string sentence, const KnotSpec& knot) {
-  return discrete(std::move(id), Rung::kPlacement, std::move(sentence), [knot](Setup& s) {
-    s.mesh = std::make_shared<const TriangleMesh>(knot_mesh(knot));
-  });
+  return discrete(std::move(id), Rung::kPlacement, std::move(sentence),
+                  [knot](Setup& s) { s.mesh = mesh_of(knot); });
 }
 
 Hypothesis with(const KnotSpec& own, int p, int q) {
@@ -41,7 +50,7 @@ Hypothesis length_of(const KnotSpec& own, const std::string& name, double KnotSp
               [own, member](Setup& s, std::span<const double> p) {
                 KnotSpec knot = own;
                 knot.*member = p[0];
-                s.mesh = std::make_shared<const TriangleMesh>(knot_mesh(knot));
+                s.mesh = mesh_of(knot);
               },
           .sentence =
               [name, start](std::span<const double> p) {

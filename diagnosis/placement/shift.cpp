@@ -18,6 +18,9 @@ std::vector<Hypothesis> shift(const Situation&) {
                         return fmt::format("moved by {} pixels to the right and {} down",
                                            number(p[0]), number(p[1]));
                       }};
+  for (int x = -12; x <= 12; x += 4) {
+    for (int y = -12; y <= 12; y += 4) rendered.starts.push_back({double(x), double(y)});
+  }
   Hypothesis resampled = rendered;
   resampled.id = "shift-resampled";
   resampled.apply = [moved](Setup& s, std::span<const double> p) {

@@ -9,7 +9,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-ALL = ("system", "math", "models", "scene", "meshgen", "shaders", "exporters", "render", "validate", "study", "cli")
+ALL = ("system", "math", "models", "scene", "meshgen", "shaders", "exporters", "render", "diagnosis", "validate", "study", "cli")
 
 # A folder, and what it may include besides itself.
 ALLOWED = {
@@ -21,7 +21,8 @@ ALLOWED = {
     "shaders": ("system", "math", "models", "scene"),
     "exporters": ("system", "math", "models", "scene", "shaders"),
     "render": ("system", "math", "models", "scene", "shaders", "meshgen"),
-    "validate": ("system", "math", "models", "scene", "exporters", "render", "shaders"),
+    "diagnosis": ("system", "math", "models", "scene", "meshgen", "shaders", "render"),
+    "validate": ("system", "math", "models", "scene", "meshgen", "exporters", "render", "shaders", "diagnosis"),
     "study": tuple(folder for folder in ALL if folder != "cli"),
     "cli": ALL,
     "tests": ALL,
@@ -50,12 +51,14 @@ SISTERS = {
         "*": ("mesh", "text"),
     },
     "render": {"": (), "exact": ("",), "fast": ("",), "fast/kernels": ("fast",)},
+    "diagnosis": {"": (), "*": ("",)},
     "validate": {
         "": ("compare", "renderers"),
         "compare": ("renderers",),
         "gpu": (),
         "renderers": (),
         "report": ("", "compare", "renderers"),
+        "self_test": ("compare", "renderers"),
     },
     "study": {
         "measure": (),
@@ -91,8 +94,9 @@ ENTRANCES = {
     "render/fast": ("renderer", "sample_pattern", "simd_number"),
     "validate/compare": ("allowances", "claims", "flip", "images", "quantile", "sensitivity"),
     "validate/gpu": ("fields", "files", "mesh_file"),
-    "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "limits", "spirv"),
+    "validate/renderers": ("adapter", "entry", "blender_run", "external", "gpu_job", "job_files", "limits", "programs", "spirv"),
     "validate/report": ("forms", "page_kit"),
+    "validate/self_test": ("self_test",),
     "study/bench": ("report", "scaling"),
     "study/budget": ("stages",),
     "study/chart": ("points",),
@@ -115,6 +119,7 @@ NAMESPACES = {
     "exporters/stl": "stl",
     "render/exact": "exact",
     "render/fast": "fast",
+    "diagnosis": "diagnosis",
     "validate": "validate",
     "validate/gpu": "gpu",
     "study/bench": "bench",

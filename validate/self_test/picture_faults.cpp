@@ -77,10 +77,12 @@ void add_color_faults(std::vector<Fault>& all) {
                    .numbers = {{"gamma", gamma}},
                    .picture = of_channels([gamma](double x) { return raised(x, 1 / gamma); })});
   }
-  all.push_back(
-      {.what = "encoded as sRGB", .names = {"srgb-encoded", "srgb-encoded-straight"}, .picture = of_colors(encoded_srgb)});
-  all.push_back(
-      {.what = "decoded from sRGB", .names = {"srgb-decoded", "srgb-decoded-straight"}, .picture = of_colors(decoded_srgb)});
+  all.push_back({.what = "encoded as sRGB",
+                 .names = {"srgb-encoded", "srgb-encoded-straight"},
+                 .picture = of_colors(encoded_srgb)});
+  all.push_back({.what = "decoded from sRGB",
+                 .names = {"srgb-decoded", "srgb-decoded-straight"},
+                 .picture = of_colors(decoded_srgb)});
   for (const double gain : {0.5, 0.98, 1.05}) {
     all.push_back({.what = "exposure",
                    .names = {"exposure", "all-light"},

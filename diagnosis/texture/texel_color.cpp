@@ -5,7 +5,7 @@
 
 namespace lumaknot::diagnosis {
 
-std::vector<Hypothesis> texture_color(const Situation& situation) {
+std::vector<Hypothesis> texel_color(const Situation& situation) {
   if (!has_image(situation)) return {};
   std::vector<Hypothesis> all{
       continuous("texture-gamma", Rung::kTexture, {"exponent", 1, 0.02, 0.1, 10},

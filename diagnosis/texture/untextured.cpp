@@ -5,7 +5,7 @@
 
 namespace lumaknot::diagnosis {
 
-std::vector<Hypothesis> texture_missing(const Situation& situation) {
+std::vector<Hypothesis> untextured(const Situation& situation) {
   const bool image = has_image(situation);
   const Vec3d own = image ? Vec3d{0.8, 0.8, 0.8} : std::get<Vec3d>(*situation.setup.texture);
   Hypothesis plain{.id = image ? "texture-missing" : "surface-color",

@@ -3,7 +3,7 @@
 
 namespace lumaknot::diagnosis {
 
-std::vector<Hypothesis> texture_direction(const Situation& situation) {
+std::vector<Hypothesis> uv_direction(const Situation& situation) {
   if (!has_image(situation)) return {};
   const auto flipped = [](std::string id, std::string sentence, bool u, bool v) {
     return discrete(std::move(id), Rung::kTexture, std::move(sentence), [u, v](Setup& s) {

@@ -3,7 +3,7 @@
 
 namespace lumaknot::diagnosis {
 
-std::vector<Hypothesis> texture_filter(const Situation& situation) {
+std::vector<Hypothesis> texel_filter(const Situation& situation) {
   if (!has_image(situation)) return {};
   Hypothesis texels = continuous("texel-shift", Rung::kTexture, {"texels", 0, 0.05, -8, 8},
                                  "the texture moved by {:.3g} texels",

@@ -5,7 +5,7 @@
 
 namespace lumaknot::diagnosis {
 
-std::vector<Hypothesis> extra_light(const Situation& situation) {
+std::vector<Hypothesis> extra_lamp(const Situation& situation) {
   const Vec3d eye = situation.setup.view.camera.position;
   Hypothesis headlight = continuous(
       "headlight", Rung::kLight, {"intensity", 0, 0.02, 0, 1e6},

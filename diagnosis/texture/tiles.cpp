@@ -25,7 +25,7 @@ std::vector<std::vector<double>> repeat_starts(int tiles_u, int tiles_v) {
 
 }  // namespace
 
-std::vector<Hypothesis> texture_tiles(const Situation& situation) {
+std::vector<Hypothesis> tiles(const Situation& situation) {
   if (!has_image(situation)) return {};
   Hypothesis repeat{.id = "texture-repeat",
                     .rung = Rung::kTexture,

@@ -1,0 +1,220 @@
+#include "validate/self_test/self_test.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/diagnose.h"
+#include "render/reference.h"
+#include "validate/compare/images.h"
+#include "validate/renderers/entry.h"
+#include "validate/self_test/faults.h"
+#include "validate/self_test/setting_faults.h"
+
+namespace lumaknot::validate {
+namespace {
+
+Shot final_of(const Scene& scene) { return {"final", Stage::kFinal, scene.view.material}; }
+
+Image eight_bits(Image image) {
+  for (RgbaPixel& p : image.pixels) {
+    for (float* v : {&p.color.r, &p.color.g, &p.color.b}) {
+      *v = std::round(std::clamp(*v, 0.0f, 1.0f) * 255) / 255;
+    }
+  }
+  return image;
+}
+
+bool same(const Image& a, const Image& b) {
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    if (a.pixels[i].coverage != b.pixels[i].coverage) return false;
+    if (largest_magnitude(to_vec(a.pixels[i].color) - to_vec(b.pixels[i].color)) > 1e-6) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_close(double value, double expected) {
+  return std::abs(value - expected) <= std::max(1e-3, 0.01 * std::abs(expected));
+}
+
+bool has_numbers(const diagnosis::NamedCause& cause, const std::vector<PlantedNumber>& numbers) {
+  return std::ranges::all_of(numbers, [&](const PlantedNumber& planted) {
+    const auto found =
+        std::ranges::find(cause.numbers, planted.name, &diagnosis::NamedNumber::name);
+    return found != cause.numbers.end() && is_close(found->value, planted.value);
+  });
+}
+
+bool is_right(const diagnosis::Explained& explained, const Fault& fault) {
+  if (explained.causes.size() != 1) return false;
+  const diagnosis::NamedCause& cause = explained.causes.front();
+  if (cause.id == fault.names.front()) return has_numbers(cause, fault.numbers);
+  return std::ranges::count(fault.names, cause.id) > 0;
+}
+
+/// One self-test.
+class Planting {
+ public:
+  explicit Planting(const SelfTestJob& job)
+      : job_(job),
+        shot_(final_of(job.scene)),
+        fragments_(visible_fragments(job.scene)),
+        reference_(job.scene, fragments_),
+        own_(shade_all(job.scene, shot_, fragments_)),
+        faults_(planted_faults(job.scene, knot())) {}
+
+  SelfTest run(const Progress& progress) {
+    const auto settings = setting_faults(job_.renderers);
+    const double steps = double(2 * faults_.size() + 1 +
+                                job_.renderers.size() * (faults_.size() + 1) + settings.size());
+    double step = 0;
+    const auto report = [&] {
+      if (progress) progress(++step / steps);
+    };
+    unaltered("lumaknot", own_, false);
+    unaltered("lumaknot", eight_bits(own_), true);
+    report();
+    for (const Fault& fault : faults_) {
+      const Image picture = picture_with(fault);
+      judge(fault, "lumaknot", picture, false), report();
+      judge(fault, "lumaknot", eight_bits(picture), true), report();
+    }
+    for (const std::string& flag : job_.renderers) {
+      drawn(nullptr, flag, job_.programs), report();
+      for (const Fault& fault : faults_) {
+        if (fault.scene) drawn(&fault, flag, job_.programs);
+        report();
+      }
+    }
+    for (const SettingFault& setting : settings) {
+      const AlteredProgram altered(setting, job_.programs);
+      drawn(&setting.fault, setting.renderer, altered.programs()), report();
+    }
+    return std::move(test_);
+  }
+
+ private:
+  const KnotSpec* knot() const { return job_.knot ? &*job_.knot : nullptr; }
+
+  Scene scene_with(const Fault& fault) const {
+    Scene scene = job_.scene;
+    if (fault.scene) fault.scene(scene, knot());
+    return scene;
+  }
+
+  Image picture_with(const Fault& fault) const {
+    if (!fault.scene) return fault.picture(own_);
+    const Scene scene = scene_with(fault);
+    return shade_all(scene, final_of(scene), visible_fragments(scene));
+  }
+
+  static const RendererEntry& entry(const std::string& flag) {
+    return **std::ranges::find(renderer_entries(), flag, &RendererEntry::flag);
+  }
+
+  /// Draws the scene with a fault, or without one, by another renderer.
+  void drawn(const Fault* fault, const std::string& flag, const Programs& programs) {
+    const RendererEntry& renderer = entry(flag);
+    const Scene scene = fault ? scene_with(*fault) : job_.scene;
+    const Shot shot = final_of(scene);
+    Rendering rendering = renderer.make(programs)->draw(scene, {&shot, 1});
+    RenderedShot& result = rendering.shots.front();
+    const bool is_as_asked = result.status == RenderedShot::Status::kDrawn && !result.instead;
+    const std::string name(renderer.name);
+    if (!is_as_asked) {
+      test_.results.push_back({.fault = fault ? fault->what : "",
+                               .drawn_by = name,
+                               .expected = fault ? fault->names.front() : "",
+                               .why = result.why.empty() ? "drawn otherwise" : result.why});
+    } else if (fault) {
+      judge(*fault, name, result.image, rendering.limited);
+    } else {
+      unaltered(name, result.image, rendering.limited);
+    }
+  }
+
+  bool notices(const std::string& renderer, const Image& picture, bool limited) const {
+    // Our own pictures are held to the limits of the nearest relative, an emitted shader's.
+    const RendererEntry& judged = renderer_entry(renderer == "lumaknot" ? "GL" : renderer);
+    const Comparison c = compare(reference_, shot_, own_, picture, limited, judged.limits);
+    return c.outcome() != Outcome::kAgreed || c.coverage_unexplained > 0;
+  }
+
+  diagnosis::Diagnosis diagnosis_of(const Image& picture, bool limited) const {
+    return diagnosis::diagnose({job_.scene, shot_, picture, job_.knot, limited, true});
+  }
+
+  static std::string ids(const diagnosis::Diagnosis& d) {
+    std::vector<std::string> all;
+    if (d.verdict != diagnosis::Diagnosis::Verdict::kNamed) return {};
+    for (const diagnosis::NamedCause& cause : d.cause.causes) all.push_back(cause.id);
+    return fmt::format("{}", fmt::join(all, " + "));
+  }
+
+  void unaltered(const std::string& renderer, const Image& picture, bool limited) {
+    const diagnosis::Diagnosis d = diagnosis_of(picture, limited);
+    ++test_.unaltered;
+    test_.accused += d.verdict == diagnosis::Diagnosis::Verdict::kNamed;
+    test_.results.push_back({.fault = {},
+                             .drawn_by = renderer,
+                             .values = limited ? "8 bits" : "float",
+                             .noticed = d.verdict != diagnosis::Diagnosis::Verdict::kAgrees,
+                             .expected = {},
+                             .named = ids(d),
+                             .right = d.verdict == diagnosis::Diagnosis::Verdict::kAgrees,
+                             .sentence = diagnosis::sentence_of(d)});
+  }
+
+  void judge(const Fault& fault, const std::string& renderer, const Image& picture, bool limited) {
+    PlantedResult result{.fault = fault.what,
+                         .drawn_by = renderer,
+                         .values = limited ? "8 bits" : "float",
+                         .expected = fault.names.front(),
+                         .named = {},
+                         .sentence = {}};
+    ++test_.planted;
+    const diagnosis::Diagnosis d = diagnosis_of(picture, limited);
+    const bool agrees = d.verdict == diagnosis::Diagnosis::Verdict::kAgrees;
+    result.changes = !same(picture_with(fault), own_) && !(limited && agrees);
+    result.noticed = notices(renderer, picture, limited);
+    result.named = ids(d);
+    result.sentence = diagnosis::sentence_of(d);
+    result.right = d.verdict == diagnosis::Diagnosis::Verdict::kNamed && is_right(d.cause, fault);
+    for (const diagnosis::Explained& other : d.equivalents) result.right |= is_right(other, fault);
+    count(result);
+    test_.results.push_back(std::move(result));
+  }
+
+  void count(const PlantedResult& result) {
+    if (!result.changes) {
+      ++test_.unseen;
+      return;
+    }
+    test_.noticed += result.noticed;
+    test_.right += result.right;
+    test_.unknown += result.named.empty();
+    test_.wrong += !result.right && !result.named.empty();
+  }
+
+  const SelfTestJob& job_;
+  Shot shot_;
+  Grid<Fragment> fragments_;
+  Reference reference_;
+  Image own_;
+  std::vector<Fault> faults_;
+  SelfTest test_;
+};
+
+}  // namespace
+
+bool SelfTest::passed() const { return noticed == planted - unseen && wrong == 0 && accused == 0; }
+
+SelfTest run_self_test(const SelfTestJob& job, const Progress& progress) {
+  return Planting(job).run(progress);
+}
+
+}  // namespace lumaknot::validate

@@ -1,0 +1,53 @@
+/// Plants faults and proves that each is noticed and named, and that nothing else is accused.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshgen/knot_mesh.h"
+#include "scene/spec.h"
+#include "system/progress.h"
+#include "validate/renderers/programs.h"
+
+namespace lumaknot::validate {
+
+struct SelfTestJob {
+  Scene scene;
+  std::optional<KnotSpec> knot;        ///< what its mesh was made from
+  std::vector<std::string> renderers;  ///< flags: they draw the faults of scenes, and their own
+  Programs programs;
+};
+
+/// A picture with a planted fault, or with none.
+struct PlantedResult {
+  std::string fault;        ///< in words; empty: none was planted
+  std::string drawn_by;     ///< "lumaknot" or a renderer
+  std::string values = {};  ///< "float" or "8 bits"
+  bool changes = true;      ///< some pixel; otherwise there is nothing to notice
+  bool noticed = false;     ///< the comparison does not agree
+  std::string expected;     ///< the cause's id
+  std::string named;        ///< the ids found; empty: unknown
+  bool right = false;       ///< named, with the right numbers
+  std::string sentence;     ///< the cause in words
+  std::string why = {};     ///< not drawn
+};
+
+struct SelfTest {
+  std::vector<PlantedResult> results;
+  long long planted = 0, unseen = 0, noticed = 0, right = 0, wrong = 0, unknown = 0;
+  long long unaltered = 0, accused = 0;
+
+  bool passed() const;  ///< every visible fault was noticed, none misnamed, nothing else accused
+};
+
+SelfTest run_self_test(const SelfTestJob& job, const Progress& progress = {});
+
+/// A table in Markdown, with the counts above it.
+std::string self_test_markdown(const SelfTest& test);
+
+/// The same as an object of JSON.
+std::string self_test_json(const SelfTest& test);
+
+}  // namespace lumaknot::validate

@@ -1,0 +1,89 @@
+#include "validate/self_test/setting_faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "system/atomic_file.h"
+
+namespace lumaknot::validate {
+namespace {
+
+std::vector<SettingFault> all_setting_faults() {
+  const auto povray = [](std::string what, std::string edit, std::vector<std::string> names) {
+    return SettingFault{"povray",
+                        &kPovrayProgram,
+                        "*.pov",
+                        std::move(edit),
+                        {.what = std::move(what), .names = std::move(names)}};
+  };
+  const auto blender = [](std::string renderer, std::string what, std::string edit,
+                          std::vector<std::string> names) {
+    return SettingFault{std::move(renderer),
+                        &kBlenderProgram,
+                        "scene.py",
+                        std::move(edit),
+                        {.what = std::move(what), .names = std::move(names)}};
+  };
+  const auto gl = [](std::string what, std::string edit, std::vector<std::string> names) {
+    return SettingFault{"gl",
+                        &kGpuProgram,
+                        "*.fragment",
+                        std::move(edit),
+                        {.what = std::move(what), .names = std::move(names)}};
+  };
+  return {
+      povray("POV-Ray's image map read as sRGB",
+             "s/gamma 1.0 interpolate 2/gamma srgb interpolate 2/",
+             {"texture-decoded", "texture-decoded-late"}),
+      povray("POV-Ray's nearest texel", "s/gamma 1.0 interpolate 2/gamma 1.0 interpolate 0/",
+             {"texture-nearest"}),
+      blender("cycles", "Cycles' view transform Standard",
+              "s/= \"Raw\", \"None\"/= \"Standard\", \"None\"/",
+              {"srgb-encoded", "srgb-encoded-straight", "srgb-encoded-positive"}),
+      blender("cycles", "Cycles' exposure of one stop",
+              "s/\"Raw\", \"None\", 0, 1/\"Raw\", \"None\", 1, 1/", {"exposure", "all-light"}),
+      blender("cycles", "Cycles' gamma of 2", "s/\"Raw\", \"None\", 0, 1/\"Raw\", \"None\", 0, 2/",
+              {"gamma", "gamma-positive", "gamma-straight"}),
+      blender("cycles", "Cycles' texture read as sRGB",
+              "s/colorspace_settings.name = \"Non-Color\"/colorspace_settings.name = \"sRGB\"/",
+              {"texture-decoded", "texture-decoded-late"}),
+      blender("eevee", "Eevee's view transform Standard",
+              "s/= \"Raw\", \"None\"/= \"Standard\", \"None\"/",
+              {"srgb-encoded", "srgb-encoded-straight", "srgb-encoded-positive"}),
+      blender("eevee", "Eevee's texture read as sRGB",
+              "s/colorspace_settings.name = \"Non-Color\"/colorspace_settings.name = \"sRGB\"/",
+              {"texture-decoded", "texture-decoded-late"}),
+      gl("the V of GL's texture coordinates flipped",
+         "s/texture(\\(\\w*\\), \\(\\w*\\))/texture(\\1, vec2(\\2.x, 1.0 - \\2.y))/",
+         {"texture-flip-v"}),
+      gl("GL's normals inverted", "s/normalize(normal)/normalize(-normal)/", {"normals-inverted"}),
+  };
+}
+
+}  // namespace
+
+std::vector<SettingFault> setting_faults(const std::vector<std::string>& renderers) {
+  std::vector<SettingFault> all = all_setting_faults();
+  std::erase_if(
+      all, [&](const SettingFault& f) { return std::ranges::count(renderers, f.renderer) == 0; });
+  return all;
+}
+
+AlteredProgram::AlteredProgram(const SettingFault& fault, Programs programs)
+    : programs_(std::move(programs)) {
+  const auto script = folder_.path() / std::string(fault.program->name);
+  const std::string given = programs_.path(*fault.program);
+  const auto real =
+      given.empty() ? program_beside(std::string(fault.program->name)) : find_program(given);
+  write_file(
+      script,
+      fmt::format(
+          "#!/bin/sh\nfind . -type f -name '{}' -exec sed -i '{}' {{}} +\nexec '{}' \"$@\"\n",
+          fault.files, fault.edit, real.string()),
+      "the self-test's folder");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  programs_.paths[fault.program->flag] = script.string();
+}
+
+}  // namespace lumaknot::validate
