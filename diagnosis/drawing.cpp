@@ -18,20 +18,10 @@ bool same_camera(const Camera& a, const Camera& b) {
          a.fov_degrees == b.fov_degrees;
 }
 
-/// The rasteriser's camera: at the origin, along -z, a quarter turn high.
-Camera standard_camera(double distance) { return {{0, 0, 0}, {0, 0, -distance}, {0, 1, 0}, 90}; }
+/// A camera at the origin along -z, a quarter turn high: what each setup's view is moved to.
+const Camera kStandardCamera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 90};
 
-/// The fragments' positions are of the standard camera's space: these are the world's.
-void move_to_world(const TriangleMesh& mesh, Grid<Fragment>& fragments) {
-  for (Fragment& f : fragments.pixels) {
-    if (!f.covered()) continue;
-    f.position = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = mesh.triangles[std::size_t(f.triangle)][i];
-      f.position = f.position + mesh.positions[v] * f.weights[i];
-    }
-  }
-}
+constexpr int kBand = 8;  // rows handed to a thread at once
 
 void add(Drawn& sum, const Drawn& one) {
   if (sum.colors.empty()) {
@@ -119,19 +109,21 @@ Drawer::Fragments Drawer::fragments(const View& view, const PixelGrid& grid) con
       (0.5 * grid.width + view.placement.shift_x - view.offset_x) / grid.step - 0.5 * grid.columns;
   const double move_y =
       (0.5 * grid.height + view.placement.shift_y - view.offset_y) / grid.step - 0.5 * grid.rows;
-  TriangleMesh moved = *view.mesh;
-  for (Vec3d& p : moved.positions) {
+  std::vector<Vec3d> positions;
+  positions.reserve(view.mesh->positions.size());
+  for (const Vec3d& p : view.mesh->positions) {
     const Vec3d v = projection.to_view(p);
-    p = {scale * view.placement.scale_x * v.x + v.z * move_x / (0.5 * grid.rows),
-         scale * view.placement.scale_y * v.y - v.z * move_y / (0.5 * grid.rows), -v.z};
+    positions.push_back({scale * view.placement.scale_x * v.x + v.z * move_x / (0.5 * grid.rows),
+                         scale * view.placement.scale_y * v.y - v.z * move_y / (0.5 * grid.rows),
+                         v.z});
   }
-  const double distance = length(view.camera.position - view.camera.target);
-  const Rasterizer rasterizer(moved, standard_camera(distance), grid.columns, grid.rows, 8);
+  const Rasterizer rasterizer(*view.mesh, std::move(positions),
+                              Projection(kStandardCamera, grid.columns, grid.rows),
+                              near_depth(view.camera), grid.columns, grid.rows, kBand);
   auto result = std::make_shared<Grid<Fragment>>(grid.columns, grid.rows);
   oneapi::tbb::parallel_for(0, rasterizer.bands(), [&](int b) {
-    std::ranges::copy(rasterizer.band(b).pixels, &result->at(0, 8 * b));
+    std::ranges::copy(rasterizer.band(b).pixels, &result->at(0, kBand * b));
   });
-  move_to_world(*view.mesh, *result);
   const std::lock_guard lock(keeping_);
   constexpr std::size_t kKept = 24;
   kept_.emplace_front(view, result);

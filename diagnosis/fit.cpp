@@ -70,12 +70,14 @@ Residuals mask_residuals(const Target& target, const Values& coverage, int radiu
   return r;
 }
 
-/// The scale above which an error counts less: twice the median of those that are noticed.
+/// The scale above which an error counts less: what three quarters of the pixels keep below. Half
+/// would be too few, as half of a picture is often too flat to say where it is.
 double robust_scale(const Residuals& r, double noise, std::size_t pixels) {
   Values errors = r.errors;
-  const auto rank = std::ptrdiff_t(errors.size() - std::min(errors.size(), pixels / 2) - 1);
-  std::ranges::nth_element(errors, errors.begin() + std::max<std::ptrdiff_t>(rank, 0));
-  return std::max(noise, 2 * errors[std::size_t(std::max<std::ptrdiff_t>(rank, 0))]);
+  const std::size_t above = std::min(errors.size() - 1, pixels / 4);
+  const auto at = errors.end() - 1 - std::ptrdiff_t(above);
+  std::ranges::nth_element(errors, at);
+  return std::max(noise, *at);
 }
 
 double robust_sum(const Residuals& r, double scale) {
@@ -110,7 +112,8 @@ class Fit {
   Explanation run(int steps) {
     Residuals here = residuals(best_);
     // Masks are made of whole pixels: a smaller change is not seen in them.
-    double damping = 1e-3, share = mask_radius_ > 0 ? problem_.target.grid.step : 1;
+    double damping = 1e-3, share = mask_radius_ > 0 ? problem_.target.grid.step : 0.1;
+    const double min_share = mask_radius_ > 0 ? 0.1 : kMinShare;
     for (int step = 0; step < steps; ++step) {
       const double scale = robust_scale(here, floor(), problem_.pixels);
       const Values move = direction(here, scale, share, damping);
@@ -128,9 +131,9 @@ class Fit {
       if (better) {
         best_ = std::move(next);
         damping *= 0.3;
-        share = std::max(kMinShare, 0.3 * share);
-      } else if (share > kMinShare) {
-        share = std::max(kMinShare, 0.1 * share);
+        share = std::max(min_share, 0.3 * share);
+      } else if (share > min_share) {
+        share = std::max(min_share, 0.1 * share);
         damping = 1e-3;
       } else {
         break;
@@ -140,7 +143,7 @@ class Fit {
   }
 
  private:
-  double floor() const { return mask_radius_ > 0 ? 0.05 : problem_.target.facts.noise; }
+  double floor() const { return mask_radius_ > 0 ? 0.5 : problem_.target.facts.noise; }
 
   const Parameter& parameter(const Unknown& u) const {
     return best_.causes[u.cause]->parameters[u.parameter];
@@ -228,6 +231,24 @@ double mask_distance(const Problem& problem, const Explanation& explanation) {
     sum += error * error;
   }
   return sum;
+}
+
+Explanation searched_around(const Problem& problem, Explanation best) {
+  for (double share = 1; share > 0.02; share /= 2) {
+    for (std::size_t c = 0; c < best.causes.size(); ++c) {
+      for (std::size_t p = 0; p < best.values[c].size(); ++p) {
+        const Parameter& parameter = best.causes[c]->parameters[p];
+        for (const double by : {share, -share}) {
+          Explanation next = best;
+          double& value = next.values[c][p];
+          value = std::clamp(value + by * parameter.step, parameter.min, parameter.max);
+          next = scored(problem, std::move(next));
+          if (next.score.value < best.score.value) best = std::move(next);
+        }
+      }
+    }
+  }
+  return best;
 }
 
 Explanation fitted(const Problem& problem, Explanation explanation, std::size_t free, int steps,

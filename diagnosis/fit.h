@@ -36,4 +36,8 @@ double mask_distance(const Problem& problem, const Explanation& explanation);
 Explanation fitted(const Problem& problem, Explanation explanation, std::size_t free, int steps,
                    bool masks = false);
 
+/// Tries smaller and smaller changes of each number: out of the hollows of rough textures, in which
+/// a gradient is lost.
+Explanation searched_around(const Problem& problem, Explanation explanation);
+
 }  // namespace lumaknot::diagnosis

@@ -9,16 +9,17 @@
 namespace lumaknot::diagnosis {
 namespace {
 
-constexpr double kExplained = 0.97;        // of the pixels, by one cause
-constexpr double kExplainedByTwo = 0.985;  // by a pair, which fits more by chance
-constexpr double kMaxValue = 1.0;          // of the score above the floor
-constexpr double kPerNumber = 0.006;       // the price of a number
-constexpr double kSpecialBonus = 0.018;    // of a named special case
-constexpr double kMinFall = 0.5;           // of the score above the floor, or nobody is accused
-constexpr double kMatchingMasks = 0.002;   // of the pixels, at most: placement is not to blame
-constexpr std::size_t kRefined = 8;        // hypotheses that are fitted to the end
-constexpr std::size_t kStarts = 3;         // of each, that are followed
-constexpr std::size_t kFirstOfPairs = 8;   // single causes that others are added to
+constexpr double kExplained = 0.97;         // of the pixels, by one cause
+constexpr double kExplainedByTwo = 0.985;   // by a pair, which fits more by chance
+constexpr double kMaxValue = 1.0;           // of the score above the floor
+constexpr double kPerNumber = 0.006;        // the price of a number
+constexpr double kSpecialBonus = 0.018;     // of a named special case
+constexpr double kMinFall = 0.5;            // of the score above the floor, or nobody is accused
+constexpr double kMatchingMasks = 0.002;    // of the pixels, at most: placement is not to blame
+constexpr std::size_t kRefined = 8;         // hypotheses that are fitted to the end
+constexpr std::size_t kSearchedAround = 3;  // of them, where a gradient is lost
+constexpr std::size_t kStarts = 3;          // of each, that are followed
+constexpr std::size_t kFirstOfPairs = 8;    // single causes that others are added to
 constexpr std::size_t kPromisingPairs = 24;
 constexpr std::size_t kRefinedPairs = 5;
 
@@ -122,12 +123,12 @@ class Search {
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {
-    constexpr int kScreenSteps = 3, kJointSteps = 6;
+    constexpr int kScreenSteps = 3, kMaskSteps = 6, kJointSteps = 6;
     if (!masks) {
       const bool alone = start.causes.size() == 1;
       return fitted(screening_, start, start.causes.size(), alone ? kScreenSteps : kJointSteps);
     }
-    const Explanation by_mask = fitted(screening_, start, free_of(start, h), kScreenSteps, true);
+    const Explanation by_mask = fitted(screening_, start, free_of(start, h), kMaskSteps, true);
     return fitted(screening_, by_mask, free_of(by_mask, h), kScreenSteps);
   }
 
@@ -166,6 +167,9 @@ class Search {
     tried.resize(std::min(tried.size(), count));
     oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
       const std::size_t free = tried[i].causes.size();
+      tried[i] = fitted(problem_, std::move(tried[i]), free, steps);
+      if (tried[i].score.explained > kExplained || i >= kSearchedAround) return;
+      tried[i] = searched_around(problem_, std::move(tried[i]));
       tried[i] = fitted(problem_, std::move(tried[i]), free, steps);
     });
     std::ranges::stable_sort(tried, {}, cost_of);

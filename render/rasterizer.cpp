@@ -62,17 +62,40 @@ int clamped(double x, int limit) { return x > 0 ? int(std::min(x, double(limit))
 
 }  // namespace
 
+namespace {
+
+std::vector<Vec3d> view_positions_of(const TriangleMesh& mesh, const Projection& projection) {
+  std::vector<Vec3d> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3d& p : mesh.positions) positions.push_back(projection.to_view(p));
+  return positions;
+}
+
+}  // namespace
+
 Rasterizer::Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width, int height,
                        int band_height)
+    : Rasterizer(mesh, view_positions_of(mesh, Projection(camera, width, height)),
+                 Projection(camera, width, height), near_depth(camera), width, height,
+                 band_height) {}
+
+Rasterizer::Rasterizer(const TriangleMesh& mesh, std::vector<Vec3d> view_positions,
+                       const Projection& projection, double nearest, int width, int height,
+                       int band_height)
     : mesh_(mesh),
-      projection_(camera, width, height),
+      projection_(projection),
       width_(width),
       height_(height),
       band_height_(band_height),
-      near_(near_depth(camera)),
+      near_(nearest),
+      view_positions_(std::move(view_positions)),
+      image_points_(view_positions_.size()),
       bins_(std::size_t((height + band_height - 1) / band_height)) {
-  view_positions_.reserve(mesh.positions.size());
-  for (const Vec3d& p : mesh.positions) view_positions_.push_back(projection_.to_view(p));
+  for (std::size_t v = 0; v < view_positions_.size(); ++v) {
+    if (!(view_positions_[v].z >= near_)) continue;
+    const Vec3d point = projection_.to_image(view_positions_[v]);
+    image_points_[v] = {point.x, point.y};
+  }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Bounds covered = bounds(mesh.triangles[t]);
     if (covered.empty()) continue;
@@ -89,9 +112,9 @@ Rasterizer::Bounds Rasterizer::bounds(const Triangle& triangle, double margin) c
   for (const std::uint32_t v : triangle) {
     if (!(view_positions_[v].z >= near_)) continue;
     ++in_front;
-    const Vec3d p = projection_.to_image(view_positions_[v]);
-    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+    const auto [x, y] = image_points_[v];
+    x0 = std::min(x0, x), x1 = std::max(x1, x);
+    y0 = std::min(y0, y), y1 = std::max(y1, y);
   }
   // Where an edge meets the near plane can't be computed reliably from distant corners.
   if (in_front == 1 || in_front == 2) return {0, width_, 0, height_};

@@ -48,6 +48,11 @@ class Rasterizer {
   Rasterizer(const TriangleMesh& mesh, const Camera& camera, int width, int height,
              int band_height);
 
+  /// The same with vertices in a view space of one's own, from which `projection` leads to the
+  /// image; fragments are still of `mesh` in the world.
+  Rasterizer(const TriangleMesh& mesh, std::vector<Vec3d> view_positions,
+             const Projection& projection, double nearest, int width, int height, int band_height);
+
   int bands() const { return int(bins_.size()); }
 
   /// Rows [band * band_height, ...) of the image; the last band may have fewer.
@@ -58,8 +63,8 @@ class Rasterizer {
     int x0, x1, y0, y1;
     bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
-  /// Those whose centres lie within the triangle's bounding box made `margin` samples larger on each
-  /// side.
+  /// Those whose centres lie within the triangle's bounding box made `margin` samples larger on
+  /// each side.
   Bounds bounds(const Triangle& triangle, double margin = 0) const;
 
   Edges edges(std::uint32_t triangle) const;
@@ -86,7 +91,8 @@ class Rasterizer {
   int width_, height_, band_height_;
   double near_;
   std::vector<Vec3d> view_positions_;
-  std::vector<std::vector<std::uint32_t>> bins_;  // a band's triangles, in the mesh's order
+  std::vector<std::array<double, 2>> image_points_;  // of the vertices that are not too near
+  std::vector<std::vector<std::uint32_t>> bins_;     // a band's triangles, in the mesh's order
 };
 
 }  // namespace lumaknot

@@ -1,0 +1,30 @@
+/// Why a renderer's pictures differ.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "diagnosis/diagnose.h"
+#include "validate/renderers/adapter.h"
+
+namespace lumaknot::validate {
+
+/// The cause of a renderer's difference, and the shot that it was found in.
+struct Cause {
+  std::string shot;
+  diagnosis::Diagnosis diagnosis;
+};
+
+/// What is known of the scene besides itself.
+struct CauseJob {
+  const Scene& scene;
+  std::optional<KnotSpec> knot;  ///< what its mesh was made from
+};
+
+/// From `drawn`, the renderer's picture of `shot`, which differs.
+Cause find_cause(const CauseJob& job, const Shot& shot, const Image& drawn, bool limited);
+
+/// "POV-Ray's picture of phong is ours with gamma 2.2 (residual 8e-06)", or that it is unknown.
+std::string cause_sentence(const std::string& renderer, const Cause& cause);
+
+}  // namespace lumaknot::validate
