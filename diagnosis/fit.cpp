@@ -110,39 +110,38 @@ class Fit {
   bool has_unknowns() const { return !unknowns_.empty(); }
 
   Explanation run(int steps) {
-    Residuals here = residuals(best_);
+    here_ = residuals(best_);
     // Masks are made of whole pixels: a smaller change is not seen in them.
-    double damping = 1e-3, share = mask_radius_ > 0 ? problem_.target.grid.step : 0.1;
+    share_ = mask_radius_ > 0 ? problem_.target.grid.step : 0.1;
     const double min_share = mask_radius_ > 0 ? 0.1 : kMinShare;
     for (int step = 0; step < steps; ++step) {
-      const double scale = robust_scale(here, floor(), problem_.pixels);
-      const Values move = direction(here, scale, share, damping);
-      const double before = robust_sum(here, scale);
-      Explanation next = best_;
-      bool better = false;
-      for (double part = 1; part > 0.1 && !better; part /= 4) {
-        next = moved(move, part);
-        Residuals there = residuals(next);
-        if (robust_sum(there, scale) < before * (1 - 1e-6)) {
-          here = std::move(there);
-          better = true;
-        }
-      }
-      if (better) {
-        best_ = std::move(next);
-        damping *= 0.3;
-        share = std::max(min_share, 0.3 * share);
-      } else if (share > min_share) {
-        share = std::max(min_share, 0.1 * share);
-        damping = 1e-3;
-      } else {
-        break;
-      }
+      const bool better = improve();
+      if (!better && share_ <= min_share) break;
+      damping_ = better ? 0.3 * damping_ : kDamping;
+      share_ = std::max(min_share, (better ? 0.3 : 0.1) * share_);
     }
     return std::move(best_);
   }
 
  private:
+  static constexpr double kDamping = 1e-3;
+
+  /// Takes a Gauss-Newton step, or a part of it, if that lowers the robust sum.
+  bool improve() {
+    const double scale = robust_scale(here_, floor(), problem_.pixels);
+    const Values move = direction(here_, scale);
+    const double before = robust_sum(here_, scale);
+    for (double part = 1; part > 0.1; part /= 4) {
+      Explanation next = moved(move, part);
+      Residuals there = residuals(next);
+      if (robust_sum(there, scale) >= before * (1 - 1e-6)) continue;
+      here_ = std::move(there);
+      best_ = std::move(next);
+      return true;
+    }
+    return false;
+  }
+
   double floor() const { return mask_radius_ > 0 ? 0.5 : problem_.target.facts.noise; }
 
   const Parameter& parameter(const Unknown& u) const {
@@ -155,13 +154,13 @@ class Fit {
                           mask_radius_);
   }
 
-  /// The derivative by each unknown times its step, from a change of `share` of its step.
-  std::vector<Residuals> derivatives(const Residuals& here, double share) const {
+  /// The derivative by each unknown times its step, from a change of `share_` of its step.
+  std::vector<Residuals> derivatives(const Residuals& here) const {
     std::vector<Residuals> columns;
     for (const Unknown& u : unknowns_) {
       Explanation changed = best_;
       double& value = changed.values[u.cause][u.parameter];
-      const double by = value + share * parameter(u).step > parameter(u).max ? -share : share;
+      const double by = value + share_ * parameter(u).step > parameter(u).max ? -share_ : share_;
       value += by * parameter(u).step;
       Residuals column = residuals(changed);
       for (std::size_t i = 0; i < column.values.size(); ++i) {
@@ -173,8 +172,8 @@ class Fit {
   }
 
   /// The Gauss-Newton step, in steps of the parameters.
-  Values direction(const Residuals& here, double scale, double share, double damping) const {
-    const std::vector<Residuals> columns = derivatives(here, share);
+  Values direction(const Residuals& here, double scale) const {
+    const std::vector<Residuals> columns = derivatives(here);
     const std::size_t n = columns.size();
     Values a(n * n, 0.0), b(n, 0.0);
     for (std::size_t i = 0; i < here.errors.size(); ++i) {
@@ -191,7 +190,7 @@ class Fit {
     for (std::size_t j = 0; j < n; ++j) {
       for (std::size_t k = j + 1; k < n; ++k) a[j * n + k] = a[k * n + j];
     }
-    return solve(std::move(a), std::move(b), damping);
+    return solve(std::move(a), std::move(b), damping_);
   }
 
   Explanation moved(const Values& move, double part) const {
@@ -206,8 +205,11 @@ class Fit {
 
   const Problem& problem_;
   Explanation best_;
-  int mask_radius_;
+  int mask_radius_;  ///< of masks' blur, pixels of the grid; 0: colours are compared
   std::vector<Unknown> unknowns_;
+  Residuals here_;  ///< of best_
+  double damping_ = kDamping;
+  double share_ = 0.1;  ///< of a parameter's step, from which derivatives are taken
 };
 
 }  // namespace

@@ -118,8 +118,8 @@ class Search {
 
   double distance_of(const Explanation& e, bool masks) const {
     if (!masks) return scored(screening_, e).score.value;
-    // A hundredth more or less says nothing: symmetric meshes look alike from several sides.
-    return std::round(std::log(mask_distance(screening_, e) + 1e-9) * 20);
+    // A fifth more or less says little: symmetric meshes look alike from several sides.
+    return std::round(std::log(mask_distance(screening_, e) + 1e-9) * 5);
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {

@@ -4,8 +4,9 @@
 
 namespace lumaknot::validate {
 
-Cause find_cause(const CauseJob& job, const Shot& shot, const Image& drawn, bool limited) {
-  return {shot.name, diagnosis::diagnose({job.scene, shot, drawn, job.knot, limited, true})};
+Cause find_cause(const Scene& scene, const std::optional<KnotSpec>& knot, const Shot& shot,
+                 const Image& drawn, bool limited) {
+  return {shot.name, diagnosis::diagnose({scene, shot, drawn, knot, limited, true})};
 }
 
 std::string cause_sentence(const std::string& renderer, const Cause& cause) {

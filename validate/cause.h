@@ -15,14 +15,10 @@ struct Cause {
   diagnosis::Diagnosis diagnosis;
 };
 
-/// What is known of the scene besides itself.
-struct CauseJob {
-  const Scene& scene;
-  std::optional<KnotSpec> knot;  ///< what its mesh was made from
-};
-
-/// From `drawn`, the renderer's picture of `shot`, which differs.
-Cause find_cause(const CauseJob& job, const Shot& shot, const Image& drawn, bool limited);
+/// From `drawn`, the renderer's picture of `shot`, which differs; `knot` is what the scene's mesh
+/// was made from.
+Cause find_cause(const Scene& scene, const std::optional<KnotSpec>& knot, const Shot& shot,
+                 const Image& drawn, bool limited);
 
 /// "POV-Ray's picture of phong is ours with gamma 2.2 (residual 8e-06)", or that it is unknown.
 std::string cause_sentence(const std::string& renderer, const Cause& cause);

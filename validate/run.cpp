@@ -66,7 +66,6 @@ Judged judge(const Ours& ours, std::size_t index, RenderedShot drawn, Standard s
     }
     if (ours.keeps_displays) result.pictures.display = display_png(drawn.image);
     result.comparison.marks = {};
-    drawn.image = {};
   }
   result.drawn = std::move(drawn);
   return result;
@@ -119,6 +118,33 @@ void judge_coverage(const Ours& ours, const Allowances& allowances, RendererResu
                                       ours.reference.silhouette_length, allowances);
 }
 
+/// The shot whose picture tells most about a difference: a final one that differs, as it shows all
+/// that may cause it, or else the first rung.
+std::size_t telling_shot(const std::vector<Shot>& shots, const RendererResult& result) {
+  const bool by_coverage = result.first_difference == "coverage";
+  std::size_t first = shots.size();
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Judged& judged = result.shots[i];
+    if (judged.drawn.status != RenderedShot::Status::kDrawn) continue;
+    if (!by_coverage && judged.comparison.outcome() != Outcome::kDiffered) continue;
+    if (shots[i].stage == Stage::kFinal) return i;
+    first = std::min(first, i);
+  }
+  return first;
+}
+
+/// The cause of a difference, from the picture that tells most.
+void name_cause(const Ours& ours, const std::optional<KnotSpec>& knot, RendererResult& result) {
+  if (result.first_difference.empty()) return;
+  const std::size_t index = telling_shot(ours.shots, result);
+  if (index == ours.shots.size()) return;
+  const RenderedShot& drawn = result.shots[index].drawn;
+  const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
+  Cause cause = find_cause(ours.reference.scene, knot, shot, drawn.image, result.rendering.limited);
+  result.cause = cause_sentence(result.rendering.renderer, cause);
+  result.found_cause = std::move(cause);
+}
+
 RendererResult judge_all(const Ours& ours, Rendering rendering, const ValidationJob& job) {
   RendererResult result;
   const RendererEntry& entry = renderer_entry(rendering.renderer);
@@ -134,6 +160,8 @@ RendererResult judge_all(const Ours& ours, Rendering rendering, const Validation
   judge_coverage(ours, job.allowances, result);
   result.first_difference = first_difference(ours.shots, result);
   result.explained = explained_classes(result);
+  name_cause(ours, job.knot, result);
+  for (Judged& judged : result.shots) judged.drawn.image = {};
   return result;
 }
 

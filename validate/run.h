@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "validate/cause.h"
 #include "validate/compare/claims.h"
 #include "validate/compare/images.h"
 #include "validate/pictures.h"
@@ -21,7 +22,8 @@ struct ValidationJob {
   Programs programs;
   Allowances allowances = {};
   std::map<std::string, Limits, std::less<>> limits = {};  ///< by the renderers' flags
-  bool keeps_displays = false;                             ///< also fill Pictures::display
+  std::optional<KnotSpec> knot = {};  ///< what the scene's mesh was made from, to find causes
+  bool keeps_displays = false;        ///< also fill Pictures::display
 };
 
 /// One renderer's picture of one shot, judged.
@@ -45,6 +47,7 @@ struct RendererResult {
   std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
   std::vector<ClassShare> explained;  ///< beyond what is allowed: the largest share of each class
   std::string cause;  ///< the cause of its first difference, a sentence; empty if it agrees
+  std::optional<Cause> found_cause;  ///< the same with its numbers
 
   bool drew_any() const;
   Outcome coverage_outcome() const;

@@ -109,6 +109,7 @@ std::string summary(const validate::RendererResult& result) {
   if (!result.coverage_note.empty()) line += "; " + result.coverage_note;
   const auto count = std::ranges::count(shots, validate::RenderedShot::Status::kSkipped, status);
   if (count > 0) line += fmt::format("; {} skipped: {}", count, first->drawn.why);
+  if (!result.cause.empty()) line += fmt::format("\n{:9}{}", "", result.cause);
   return line;
 }
 
@@ -158,6 +159,7 @@ int run(const ValidateFlags& flags) {
                               programs,
                               allowances_of(flags.allowed),
                               limits_of(flags.limits)};
+  if (const auto* knot = std::get_if<KnotSpec>(&input.spec.mesh)) job.knot = *knot;
   const OutputFolder output_folder(flags.output, "report.html");
   if (!flags.junit.empty()) check_writable(flags.junit, "--junit");
   const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;

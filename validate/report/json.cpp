@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/report.h"
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 
@@ -131,6 +132,15 @@ Json first_difference_json(const RendererResult& result) {
   return result.first_difference.empty() ? Json() : Json(result.first_difference);
 }
 
+/// What was found out about its difference: null if it agrees.
+Json cause_json(const RendererResult& result) {
+  if (!result.found_cause) return {};
+  Json json = Json::parse(diagnosis::report_json(result.found_cause->diagnosis));
+  json["sentence"] = result.cause;
+  json["shot"] = result.found_cause->shot;
+  return json;
+}
+
 Json renderer_json(const Validation& validation, const RendererResult& result) {
   const Rendering& r = result.rendering;
   Json shots = Json::array();
@@ -152,6 +162,7 @@ Json renderer_json(const Validation& validation, const RendererResult& result) {
           {"outcome", renderer_outcome(result)},
           {"explained", shares_json(result.explained)},
           {"first_difference", first_difference_json(result)},
+          {"cause", cause_json(result)},
           {"shots", shots}};
 }
 

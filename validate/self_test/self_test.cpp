@@ -65,7 +65,11 @@ class Planting {
         fragments_(visible_fragments(job.scene)),
         reference_(job.scene, fragments_),
         own_(shade_all(job.scene, shot_, fragments_)),
-        faults_(planted_faults(job.scene, knot())) {}
+        faults_(planted_faults(job.scene, knot())) {
+    std::erase_if(faults_, [&](const Fault& f) {
+      return !job.only.empty() && std::ranges::count(job.only, f.names.front()) == 0;
+    });
+  }
 
   SelfTest run(const Progress& progress) {
     const auto settings = setting_faults(job_.renderers);

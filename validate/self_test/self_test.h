@@ -18,20 +18,21 @@ struct SelfTestJob {
   std::optional<KnotSpec> knot;        ///< what its mesh was made from
   std::vector<std::string> renderers;  ///< flags: they draw the faults of scenes, and their own
   Programs programs;
+  std::vector<std::string> only = {};  ///< plant the faults with these causes; empty: all
 };
 
 /// A picture with a planted fault, or with none.
 struct PlantedResult {
-  std::string fault;        ///< in words; empty: none was planted
-  std::string drawn_by;     ///< "lumaknot" or a renderer
-  std::string values = {};  ///< "float" or "8 bits"
-  bool changes = true;      ///< some pixel; otherwise there is nothing to notice
-  bool noticed = false;     ///< the comparison does not agree
-  std::string expected;     ///< the cause's id
-  std::string named;        ///< the ids found; empty: unknown
-  bool right = false;       ///< named, with the right numbers
-  std::string sentence;     ///< the cause in words
-  std::string why = {};     ///< not drawn
+  std::string fault = {};     ///< in words; empty: none was planted
+  std::string drawn_by = {};  ///< "lumaknot" or a renderer
+  std::string values = {};    ///< "float" or "8 bits"
+  bool changes = true;        ///< some pixel; otherwise there is nothing to notice
+  bool noticed = false;       ///< the comparison does not agree
+  std::string expected = {};  ///< the cause's id
+  std::string named = {};     ///< the ids found; empty: unknown
+  bool right = false;         ///< named, with the right numbers
+  std::string sentence = {};  ///< the cause in words
+  std::string why = {};       ///< not drawn
 };
 
 struct SelfTest {
