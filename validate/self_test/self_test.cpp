@@ -9,6 +9,7 @@
 #include "diagnosis/diagnose.h"
 #include "render/reference.h"
 #include "validate/compare/images.h"
+#include "validate/compare/sensitivity.h"
 #include "validate/renderers/entry.h"
 #include "validate/self_test/faults.h"
 #include "validate/self_test/setting_faults.h"
@@ -64,6 +65,7 @@ class Planting {
         shot_(final_of(job.scene)),
         fragments_(visible_fragments(job.scene)),
         reference_(job.scene, fragments_),
+        sensitivities_(sensitivities(reference_, shot_)),
         own_(shade_all(job.scene, shot_, fragments_)),
         faults_(planted_faults(job.scene, knot())) {
     std::erase_if(faults_, [&](const Fault& f) {
@@ -144,7 +146,11 @@ class Planting {
   bool notices(const std::string& renderer, const Image& picture, bool limited) const {
     // Our own pictures are held to the limits of the nearest relative, an emitted shader's.
     const RendererEntry& judged = renderer_entry(renderer == "lumaknot" ? "GL" : renderer);
-    const Comparison c = compare(reference_, shot_, own_, picture, limited, judged.limits);
+    Standard standard;
+    standard.limited = limited;
+    standard.promise = promise_of(judged, {});
+    if (limited) standard.promise.output_step = std::max(standard.promise.output_step, 0.5 / 255);
+    const Comparison c = compare(reference_, shot_, own_, picture, sensitivities_, standard);
     return c.outcome() != Outcome::kAgreed || c.coverage_unexplained > 0;
   }
 
@@ -208,6 +214,7 @@ class Planting {
   Shot shot_;
   Grid<Fragment> fragments_;
   Reference reference_;
+  Grid<Sensitivity> sensitivities_;
   Image own_;
   std::vector<Fault> faults_;
   SelfTest test_;
