@@ -149,7 +149,7 @@ class Planting {
     Standard standard;
     standard.limited = limited;
     standard.promise = promise_of(judged, {});
-    if (limited) standard.promise.output_step = std::max(standard.promise.output_step, 0.5 / 255);
+    if (limited) standard.promise.output_step = std::max(standard.promise.output_step, 1.0 / 255);
     const Comparison c = compare(reference_, shot_, own_, picture, sensitivities_, standard);
     return c.outcome() != Outcome::kAgreed || c.coverage_unexplained > 0;
   }
