@@ -91,9 +91,8 @@ Diagnosis diagnose(const Case& given) {
     result.cause = {alpha ? std::vector{*alpha} : std::vector<NamedCause>{}, result.as_given};
     return result;
   }
-  situation.negative = std::ranges::any_of(ours.colors, [](const Vec3d& c) {
-    return std::min({c.x, c.y, c.z}) < 0;
-  });
+  situation.negative = std::ranges::any_of(
+      ours.colors, [](const Vec3d& c) { return std::min({c.x, c.y, c.z}) < 0; });
   const std::vector<Hypothesis> all = hypotheses(situation);
   const Target coarse_target = target_of(given.theirs, given.limited, kMaxScreened);
   const Drawer coarse_drawer(coarse_target.grid);

@@ -25,7 +25,6 @@ struct Clearance {
 /// Rawdon: Thickness of knots, 1999; Gonzalez and Maddocks: Global curvature, thickness, and the
 /// ideal shapes of knots, 1999). `link` is the result of components(), optionally with all
 /// longitudes and all meridians shifted equally; it must not be empty.
-/// longitudes and all meridians shifted alike; it must not be empty.
 Clearance clearance(const std::vector<Curve>& link);
 
 }  // namespace lumaknot

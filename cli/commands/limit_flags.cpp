@@ -20,7 +20,7 @@ using validate::Limits;
 
 struct LimitKey {
   std::string_view name;
-  std::optional<double> Limits::*value;
+  std::optional<double> Limits::* value;
 };
 constexpr std::array kLimitKeys{LimitKey{"max", &Limits::max}, LimitKey{"p99.9", &Limits::p999},
                                 LimitKey{"mean", &Limits::mean}};

@@ -107,7 +107,7 @@ std::string files_with_a_choice() {
 }
 
 std::vector<Argument> mesh_arguments(MeshFlags& flags) {
-  const auto files_with = [](bool MeshFormat::*feature) {
+  const auto files_with = [](bool MeshFormat::* feature) {
     return fmt::format("{}", fmt::join(mesh_endings(feature), ", "));
   };
   std::vector<Argument> all{

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The sum of one count over all components.
-long long total(const Certificate& c, long long ConnectedComponent::*count) {
+long long total(const Certificate& c, long long ConnectedComponent::* count) {
   long long sum = 0;
   for (const ConnectedComponent& component : c.connected_components) sum += component.*count;
   return sum;
@@ -92,7 +92,7 @@ void add_errors(Table& table, const Certificate& c) {
   table.row("twist", fmt::format("{:.6f} degrees per loop", c.twist));
   table.row("closing error", fmt::format("{:.2g} degrees", c.closing_error));
   table.row("ring tilt", fmt::format("at most {:.2g} degrees", c.ring_tilt));
-  const auto bound = [&](double Deviation::*of) {
+  const auto bound = [&](double Deviation::* of) {
     return c.bound ? fmt::format(", bound {:.4g}", (*c.bound).*of) : "";
   };
   table.row("chord error",

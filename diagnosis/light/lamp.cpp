@@ -21,18 +21,18 @@ Hypothesis position(const Situation& situation, std::size_t i) {
   Light light = situation.setup.view.lights[i];
   const Vec3d own = *position_of(light);
   const double step = 0.01 * length(own - situation.centre) + 1e-9;
-  Hypothesis h{
-      .id = id_of("position", situation, i),
-      .rung = Rung::kLight,
-      .parameters = {{"x", own.x, step}, {"y", own.y, step}, {"z", own.z, step}},
-      .apply =
-          [i](Setup& s, std::span<const double> p) {
-            *position_of(s.view.lights[i]) = {p[0], p[1], p[2]};
-          },
-      .sentence =
-          [own, name = called(situation, i)](std::span<const double> p) {
-            return fmt::format("{} at {}, not {}", name, point({p[0], p[1], p[2]}), point(own));
-          }};
+  Hypothesis h{.id = id_of("position", situation, i),
+               .rung = Rung::kLight,
+               .parameters = {{"x", own.x, step}, {"y", own.y, step}, {"z", own.z, step}},
+               .apply =
+                   [i](Setup& s, std::span<const double> p) {
+                     *position_of(s.view.lights[i]) = {p[0], p[1], p[2]};
+                   },
+               .sentence =
+                   [own, name = called(situation, i)](std::span<const double> p) {
+                     return fmt::format("{} at {}, not {}", name, point({p[0], p[1], p[2]}),
+                                        point(own));
+                   }};
   const Vec3d eye = situation.setup.view.camera.position;
   h.starts = {{own.x, own.y, own.z},
               {-own.x, own.y, own.z},

@@ -22,7 +22,7 @@ std::vector<Hypothesis> space(const Situation& situation) {
   for (std::size_t i = 0; i < kSpaceNames.size(); ++i) {
     if (Space(i) != own.space) all.push_back(in_space(Space(i)));
   }
-  const auto with = [&](const std::string& id, const std::string& sentence, auto Material::*member,
+  const auto with = [&](const std::string& id, const std::string& sentence, auto Material::* member,
                         auto value) {
     if (own.*member != value) {
       all.push_back(discrete(id, Rung::kLight, sentence,

@@ -27,22 +27,21 @@ void all_light(Setup& s, double by) {
 }
 
 /// A colour that the material's weight is multiplied by.
-Hypothesis tint(const std::string& id, const std::string& what, Vec3d Material::*color,
+Hypothesis tint(const std::string& id, const std::string& what, Vec3d Material::* color,
                 const Vec3d& own) {
-  return {.id = id,
-          .rung = Rung::kLight,
-          .parameters = {{"r", own.x, 0.02, 0, 100},
-                         {"g", own.y, 0.02, 0, 100},
-                         {"b", own.z, 0.02, 0, 100}},
-          .apply =
-              [color](Setup& s, std::span<const double> p) {
-                s.view.material.*color = {p[0], p[1], p[2]};
-              },
-          .sentence =
-              [what, own](std::span<const double> p) {
-                return fmt::format("{} coloured {}, not {}", what, point({p[0], p[1], p[2]}),
-                                   point(own));
-              }};
+  return {
+      .id = id,
+      .rung = Rung::kLight,
+      .parameters = {{"r", own.x, 0.02, 0, 100},
+                     {"g", own.y, 0.02, 0, 100},
+                     {"b", own.z, 0.02, 0, 100}},
+      .apply = [color](Setup& s,
+                       std::span<const double> p) { s.view.material.*color = {p[0], p[1], p[2]}; },
+      .sentence =
+          [what, own](std::span<const double> p) {
+            return fmt::format("{} coloured {}, not {}", what, point({p[0], p[1], p[2]}),
+                               point(own));
+          }};
 }
 
 }  // namespace

@@ -11,18 +11,17 @@ namespace lumaknot::diagnosis {
 namespace {
 
 Hypothesis at_point(std::string id, const std::string& what, const Vec3d& own, double step,
-                    Vec3d Camera::*member) {
-  return {.id = std::move(id),
-          .rung = Rung::kPlacement,
-          .parameters = {{"x", own.x, step}, {"y", own.y, step}, {"z", own.z, step}},
-          .apply =
-              [member](Setup& s, std::span<const double> p) {
-                s.view.camera.*member = {p[0], p[1], p[2]};
-              },
-          .sentence =
-              [what, own](std::span<const double> p) {
-                return fmt::format("{} {}, not {}", what, point({p[0], p[1], p[2]}), point(own));
-              }};
+                    Vec3d Camera::* member) {
+  return {
+      .id = std::move(id),
+      .rung = Rung::kPlacement,
+      .parameters = {{"x", own.x, step}, {"y", own.y, step}, {"z", own.z, step}},
+      .apply = [member](Setup& s,
+                        std::span<const double> p) { s.view.camera.*member = {p[0], p[1], p[2]}; },
+      .sentence =
+          [what, own](std::span<const double> p) {
+            return fmt::format("{} {}, not {}", what, point({p[0], p[1], p[2]}), point(own));
+          }};
 }
 
 Hypothesis roll() {

@@ -41,7 +41,7 @@ Hypothesis with_grid(const KnotSpec& own, int segments, int sides) {
 }
 
 /// One length of the knot, fitted.
-Hypothesis length_of(const KnotSpec& own, const std::string& name, double KnotSpec::*member) {
+Hypothesis length_of(const KnotSpec& own, const std::string& name, double KnotSpec::* member) {
   const double start = own.*member;
   return {.id = name,
           .rung = Rung::kPlacement,

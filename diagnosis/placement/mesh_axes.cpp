@@ -39,29 +39,17 @@ Hypothesis spun() {
 
 std::vector<Hypothesis> mesh_axes(const Situation&) {
   return {turned("mesh-y-up", "the mesh's y axis as up",
-                 [](const Vec3d& v) {
-                   return Vec3d{v.x, -v.z, v.y};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{v.x, -v.z, v.y}; }),
           turned("mesh-y-up-inverse", "the mesh turned as if its y axis had been up",
-                 [](const Vec3d& v) {
-                   return Vec3d{v.x, v.z, -v.y};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{v.x, v.z, -v.y}; }),
           turned("mesh-yz-exchanged", "the mesh's y and z exchanged (left-handed)",
-                 [](const Vec3d& v) {
-                   return Vec3d{v.x, v.z, v.y};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{v.x, v.z, v.y}; }),
           turned("mesh-mirrored-x", "the mesh mirrored in x",
-                 [](const Vec3d& v) {
-                   return Vec3d{-v.x, v.y, v.z};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{-v.x, v.y, v.z}; }),
           turned("mesh-mirrored-y", "the mesh mirrored in y",
-                 [](const Vec3d& v) {
-                   return Vec3d{v.x, -v.y, v.z};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{v.x, -v.y, v.z}; }),
           turned("mesh-mirrored-z", "the mesh mirrored in z",
-                 [](const Vec3d& v) {
-                   return Vec3d{v.x, v.y, -v.z};
-                 }),
+                 [](const Vec3d& v) { return Vec3d{v.x, v.y, -v.z}; }),
           spun()};
 }
 

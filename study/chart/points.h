@@ -31,7 +31,7 @@ struct ErrorLevel {
 /// One number of Errors.
 struct Metric {
   std::string_view name, about;
-  double measure::Errors::*value;
+  double measure::Errors::* value;
   std::array<ErrorLevel, 3> levels;  ///< for which the chart says which method to take
 };
 

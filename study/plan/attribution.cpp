@@ -198,7 +198,8 @@ std::vector<Attribution> attribute(const measure::Method& closest, const Candida
   const auto fails = [&](float error) { return !(error <= color); };
   const PixelErrors closest_errors = checker.check_all(bench.draw(closest));
   const bool in_place = closest_errors.total.failing == 0;  // only the demanded share is missed
-  const Grid<float> PixelErrors::*judged = in_place ? &PixelErrors::in_place : &PixelErrors::errors;
+  const Grid<float> PixelErrors::* judged =
+      in_place ? &PixelErrors::in_place : &PixelErrors::errors;
   const Grid<float>& errors = closest_errors.*judged;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < errors.pixels.size(); ++i) {

@@ -52,8 +52,8 @@ void each(std::span<const std::size_t> pixels, const F& work) {
 
 /// The pixels that must be within the tolerance in place for `share` of all, and are not.
 long long lacking_in_place(const ToleranceResult& result, double share) {
-  constexpr double kRounding = 1e-6;  // of a product of doubles, for up to 1e9 pixels
-  const auto demanded = (long long)(std::ceil(share * double(result.covered) - kRounding));
+  constexpr double kSlack = 1e-6;  // of a product of doubles, for up to 1e9 pixels
+  const auto demanded = (long long)(std::ceil(share * double(result.covered) - kSlack));
   return std::max(0LL, demanded - result.met_in_place());
 }
 

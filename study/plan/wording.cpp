@@ -69,7 +69,7 @@ std::string own_picture_in_words(const Plan& plan) {
 }
 
 std::string left_out_in_words(const Plan& plan) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kNoChange = 1e-9;
   const Pruning& pruning = plan.pruning;
   const std::string allowed =
       fmt::format("{:.2g}, {} of the tolerance, may be spent on what is left out", plan.share,
@@ -82,7 +82,7 @@ std::string left_out_in_words(const Plan& plan) {
       pruning.dropped.size() == 1
           ? "The one part that is left out changes"
           : fmt::format("The {} parts that are left out together change", pruning.dropped.size());
-  if (pruning.change <= kRounding) return what + " no pixel's colour at all";
+  if (pruning.change <= kNoChange) return what + " no pixel's colour at all";
   return fmt::format("{} no pixel's colour by more than {:.2g}; {}", what, pruning.change, allowed);
 }
 

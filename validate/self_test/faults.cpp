@@ -126,24 +126,16 @@ void add_mesh_faults(Faults& all) {
                                                               })});
   all.push_back({.what = "y axis up, inverse",
                  .names = {"mesh-y-up-inverse"},
-                 .scene = turned([](const Vec3d& v) {
-                   return Vec3d{v.x, v.z, -v.y};
-                 })});
+                 .scene = turned([](const Vec3d& v) { return Vec3d{v.x, v.z, -v.y}; })});
   all.push_back({.what = "y and z exchanged",
                  .names = {"mesh-yz-exchanged"},
-                 .scene = turned([](const Vec3d& v) {
-                   return Vec3d{v.x, v.z, v.y};
-                 })});
+                 .scene = turned([](const Vec3d& v) { return Vec3d{v.x, v.z, v.y}; })});
   all.push_back({.what = "mesh mirrored in x",
                  .names = {"mesh-mirrored-x"},
-                 .scene = turned([](const Vec3d& v) {
-                   return Vec3d{-v.x, v.y, v.z};
-                 })});
+                 .scene = turned([](const Vec3d& v) { return Vec3d{-v.x, v.y, v.z}; })});
   all.push_back({.what = "mesh mirrored in z",
                  .names = {"mesh-mirrored-z"},
-                 .scene = turned([](const Vec3d& v) {
-                   return Vec3d{v.x, v.y, -v.z};
-                 })});
+                 .scene = turned([](const Vec3d& v) { return Vec3d{v.x, v.y, -v.z}; })});
 }
 
 void add_knot_faults(Faults& all, const KnotSpec& knot) {
@@ -194,36 +186,27 @@ void add_texture_faults(Faults& all, const Scene& scene) {
                                                                    })});
   all.push_back({.what = "U and V exchanged",
                  .names = {"texture-uv-exchanged"},
-                 .scene = of_uvs([](Vec2d uv) {
-                   return Vec2d{uv.v, uv.u};
-                 })});
+                 .scene = of_uvs([](Vec2d uv) { return Vec2d{uv.v, uv.u}; })});
   for (const double times : {2.0, 0.5, 1.25}) {
     all.push_back({.what = "number of tiles along u",
                    .names = {"texture-repeat"},
                    .numbers = {{"u", times}, {"v", 1}},
-                   .scene = of_uvs([times](Vec2d uv) {
-                     return Vec2d{times * uv.u, uv.v};
-                   })});
+                   .scene = of_uvs([times](Vec2d uv) { return Vec2d{times * uv.u, uv.v}; })});
   }
   all.push_back({.what = "number of tiles along both",
                  .names = {"texture-repeat"},
                  .numbers = {{"u", 2}, {"v", 2}},
-                 .scene = of_uvs([](Vec2d uv) {
-                   return Vec2d{2 * uv.u, 2 * uv.v};
-                 })});
+                 .scene = of_uvs([](Vec2d uv) { return Vec2d{2 * uv.u, 2 * uv.v}; })});
   all.push_back({.what = "texture moved",
                  .names = {"texture-offset"},
                  .numbers = {{"u", 0.15}, {"v", 0.3}},
-                 .scene = of_uvs([](Vec2d uv) {
-                   return Vec2d{uv.u + 0.15, uv.v + 0.3};
-                 })});
+                 .scene = of_uvs([](Vec2d uv) { return Vec2d{uv.u + 0.15, uv.v + 0.3}; })});
   const auto& image = std::get<TextureImage>(scene.texture);
   const double w = image.width, h = image.height;
-  all.push_back({.what = "half a texel",
-                 .names = {"half-texel", "texel-shift"},
-                 .scene = of_uvs([w, h](Vec2d uv) {
-                   return Vec2d{uv.u + 0.5 / w, uv.v + 0.5 / h};
-                 })});
+  all.push_back(
+      {.what = "half a texel",
+       .names = {"half-texel", "texel-shift"},
+       .scene = of_uvs([w, h](Vec2d uv) { return Vec2d{uv.u + 0.5 / w, uv.v + 0.5 / h}; })});
   all.push_back({.what = "texture to the power 2.2",
                  .names = {"texture-gamma"},
                  .numbers = {{"exponent", 2.2}},
@@ -238,20 +221,15 @@ void add_texture_faults(Faults& all, const Scene& scene) {
                  .scene = of_texels(encoded_srgb)});
   all.push_back({.what = "red and blue of the texture exchanged",
                  .names = {"texture-channels-bgr"},
-                 .scene = of_texels([](const Vec3d& c) {
-                   return Vec3d{c.z, c.y, c.x};
-                 })});
-  all.push_back({.what = "texture in grey",
-                 .names = {"texture-grey", "texture-saturation"},
-                 .scene = of_texels([](const Vec3d& c) {
-                   return Vec3d{luma(c), luma(c), luma(c)};
-                 })});
+                 .scene = of_texels([](const Vec3d& c) { return Vec3d{c.z, c.y, c.x}; })});
+  all.push_back(
+      {.what = "texture in grey",
+       .names = {"texture-grey", "texture-saturation"},
+       .scene = of_texels([](const Vec3d& c) { return Vec3d{luma(c), luma(c), luma(c)}; })});
   all.push_back({.what = "no texture",
                  .names = {"texture-missing"},
                  .numbers = {{"r", 0.8}, {"g", 0.8}, {"b", 0.8}},
-                 .scene = [](Scene& s, const KnotSpec*) {
-                   s.texture = Vec3d{0.8, 0.8, 0.8};
-                 }});
+                 .scene = [](Scene& s, const KnotSpec*) { s.texture = Vec3d{0.8, 0.8, 0.8}; }});
 }
 
 void add_lamp_faults(Faults& all, const Scene& scene) {
@@ -289,15 +267,11 @@ void add_lamp_faults(Faults& all, const Scene& scene) {
   all.push_back({.what = "light falls off with the square",
                  .names = {"falloff-quadratic" + suffix},
                  .numbers = {{"scale", 0.05}},
-                 .scene = of_lamp([](PointLight& l) {
-                   l.falloff = {0, 0, 0.05};
-                 })});
+                 .scene = of_lamp([](PointLight& l) { l.falloff = {0, 0, 0.05}; })});
   all.push_back({.what = "light falls off linearly",
                  .names = {"falloff-linear" + suffix},
                  .numbers = {{"scale", 0.25}},
-                 .scene = of_lamp([](PointLight& l) {
-                   l.falloff = {0, 0.25, 0};
-                 })});
+                 .scene = of_lamp([](PointLight& l) { l.falloff = {0, 0.25, 0}; })});
   all.push_back({.what = "directional light instead",
                  .names = {"directional" + suffix},
                  .scene = of_view([](View& v) {
@@ -308,9 +282,7 @@ void add_lamp_faults(Faults& all, const Scene& scene) {
     all.push_back({.what = "lamp tinted",
                    .names = {light + "color", "white-balance"},
                    .numbers = {{"r", 1}, {"g", 0.8}, {"b", 0.6}},
-                   .scene = of_lamp([](PointLight& l) {
-                     l.color.rgb = {1, 0.8, 0.6};
-                   })});
+                   .scene = of_lamp([](PointLight& l) { l.color.rgb = {1, 0.8, 0.6}; })});
   }
 }
 
@@ -364,9 +336,7 @@ void add_light_faults(Faults& all, const Scene& scene) {
     all.push_back({.what = "highlights tinted",
                    .names = {"specular-color"},
                    .numbers = {{"r", 1}, {"g", 0.7}, {"b", 0.4}},
-                   .scene = of_material([](Material& m) {
-                     m.specular_color = {1, 0.7, 0.4};
-                   })});
+                   .scene = of_material([](Material& m) { m.specular_color = {1, 0.7, 0.4}; })});
   }
 }
 

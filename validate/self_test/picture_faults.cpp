@@ -22,9 +22,8 @@ std::function<Image(const Image&)> of_colors(F change) {
 
 template <class F>
 std::function<Image(const Image&)> of_channels(F change) {
-  return of_colors([change](const Vec3d& c) {
-    return Vec3d{change(c.x), change(c.y), change(c.z)};
-  });
+  return of_colors(
+      [change](const Vec3d& c) { return Vec3d{change(c.x), change(c.y), change(c.z)}; });
 }
 
 /// Each pixel taken from elsewhere: from(x, y, width, height) is the place, or one outside.
@@ -97,12 +96,11 @@ void add_color_faults(std::vector<Fault>& all) {
                  .names = {"contrast"},
                  .numbers = {{"contrast", 1.2}},
                  .picture = of_channels([](double x) { return 0.5 + 1.2 * (x - 0.5); })});
-  all.push_back({.what = "white balance",
-                 .names = {"white-balance"},
-                 .numbers = {{"r", 1.1}, {"g", 1}, {"b", 0.9}},
-                 .picture = of_colors([](const Vec3d& c) {
-                   return Vec3d{1.1 * c.x, c.y, 0.9 * c.z};
-                 })});
+  all.push_back(
+      {.what = "white balance",
+       .names = {"white-balance"},
+       .numbers = {{"r", 1.1}, {"g", 1}, {"b", 0.9}},
+       .picture = of_colors([](const Vec3d& c) { return Vec3d{1.1 * c.x, c.y, 0.9 * c.z}; })});
   const auto saturation = [](double s) {
     return of_colors([s](const Vec3d& c) {
       const double y = 0.29889531 * c.x + 0.58662247 * c.y + 0.11448223 * c.z;
@@ -119,14 +117,10 @@ void add_color_faults(std::vector<Fault>& all) {
                                                             })});
   all.push_back({.what = "red and blue exchanged",
                  .names = {"channels-bgr", "texture-channels-bgr"},
-                 .picture = of_colors([](const Vec3d& c) {
-                   return Vec3d{c.z, c.y, c.x};
-                 })});
+                 .picture = of_colors([](const Vec3d& c) { return Vec3d{c.z, c.y, c.x}; })});
   all.push_back({.what = "channels rotated",
                  .names = {"channels-gbr", "texture-channels-gbr"},
-                 .picture = of_colors([](const Vec3d& c) {
-                   return Vec3d{c.y, c.z, c.x};
-                 })});
+                 .picture = of_colors([](const Vec3d& c) { return Vec3d{c.y, c.z, c.x}; })});
   all.push_back({.what = "Reinhard's curve",
                  .names = {"tone-reinhard"},
                  .picture = of_channels([](double x) { return x / (1 + std::max(x, 0.0)); })});
@@ -144,28 +138,24 @@ void add_place_faults(std::vector<Fault>& all) {
   struct Pixel {
     int x, y;
   };
-  all.push_back({.what = "left and right exchanged",
-                 .names = {"mirror-x"},
-                 .picture = of_places([](int x, int y, int w, int) {
-                   return Pixel{w - 1 - x, y};
-                 })});
-  all.push_back({.what = "top and bottom exchanged",
-                 .names = {"mirror-y"},
-                 .picture = of_places([](int x, int y, int, int h) {
-                   return Pixel{x, h - 1 - y};
-                 })});
+  all.push_back(
+      {.what = "left and right exchanged",
+       .names = {"mirror-x"},
+       .picture = of_places([](int x, int y, int w, int) { return Pixel{w - 1 - x, y}; })});
+  all.push_back(
+      {.what = "top and bottom exchanged",
+       .names = {"mirror-y"},
+       .picture = of_places([](int x, int y, int, int h) { return Pixel{x, h - 1 - y}; })});
   all.push_back({.what = "turned by 180 degrees",
                  .names = {"rotated-180", "camera-roll"},
-                 .picture = of_places([](int x, int y, int w, int h) {
-                   return Pixel{w - 1 - x, h - 1 - y};
-                 })});
+                 .picture = of_places(
+                     [](int x, int y, int w, int h) { return Pixel{w - 1 - x, h - 1 - y}; })});
   for (const int by : {1, 3}) {
-    all.push_back({.what = "moved by whole pixels",
-                   .names = {"shift"},
-                   .numbers = {{"x", double(by)}, {"y", 0}},
-                   .picture = of_places([by](int x, int y, int, int) {
-                     return Pixel{x - by, y};
-                   })});
+    all.push_back(
+        {.what = "moved by whole pixels",
+         .names = {"shift"},
+         .numbers = {{"x", double(by)}, {"y", 0}},
+         .picture = of_places([by](int x, int y, int, int) { return Pixel{x - by, y}; })});
   }
   all.push_back({.what = "moved by part of a pixel, resampled",
                  .names = {"shift-resampled"},
