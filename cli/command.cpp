@@ -13,6 +13,7 @@ namespace {
 
 std::string numbers(const std::vector<int>& values) {
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (const int value : values) words.push_back(std::to_string(value));
   return joined(words, ",");
 }

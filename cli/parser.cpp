@@ -35,12 +35,12 @@ bool takes_int(const Argument& argument) {
 CLI::Validator member_of(const Argument& argument) {
   if (!takes_int(argument)) return CLI::IsMember(argument.choices);
   std::vector<int> numbers;
+  numbers.reserve(argument.choices.size());
   for (const std::string& choice : argument.choices) numbers.push_back(std::stoi(choice));
   return CLI::IsMember(numbers);
 }
 
-CLI::Validator within(const Argument& argument) {
-  const Interval<double>& range = *argument.range;
+CLI::Validator within(const Argument& argument, const Interval<double>& range) {
   if (range.open_min) return CLI::PositiveNumber;
   if (takes_int(argument)) return CLI::Range(int(range.min), int(range.max));
   return CLI::Range(range.min, range.max);
@@ -57,7 +57,7 @@ void add(CLI::App& app, const Argument& argument) {
   }
   if (!argument.checked) return;
   if (!argument.choices.empty()) option->check(member_of(argument));
-  if (argument.range) option->check(within(argument));
+  if (argument.range) option->check(within(argument, *argument.range));
 }
 
 /// Sets which arguments need or exclude others, once all have been added.

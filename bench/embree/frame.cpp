@@ -97,7 +97,8 @@ PacketVec texture_color(const PackedTexture& texture, const Batch& u, const Batc
 void aim(const Rays& rays, double x, double y, RTCRayHit16& packet) {
   const Vec3d first = rays.corner + rays.step_x * x + rays.step_y * y;
   for (int i = 0; i < kRays; ++i) {
-    const Vec3d d = first + rays.step_x * (i % kSide) + rays.step_y * (i / kSide);
+    const int column = i % kSide, row = i / kSide;
+    const Vec3d d = first + rays.step_x * column + rays.step_y * row;
     packet.ray.org_x[i] = float(rays.eye.x);
     packet.ray.org_y[i] = float(rays.eye.y);
     packet.ray.org_z[i] = float(rays.eye.z);
@@ -171,7 +172,11 @@ void shade(const Shading& shading, const RTCRayHit16& rays, Sums& sums) {
   }
 }
 
-std::uint32_t byte_of(float sum, float scale) { return std::uint32_t(sum * scale + 0.5f); }
+/// Rounded to the nearest, as colours are not negative.
+std::uint32_t byte_of(float sum, float scale) {
+  const float above = sum * scale + 0.5f;
+  return std::uint32_t(above);
+}
 
 void draw_packet(const Shading& shading, int x, int y, Frame& frame) {
   alignas(64) std::array<int, kRays> valid;

@@ -44,6 +44,7 @@ Json draws_json(const Job& job) {
   const Surface surface(job);
   const Tracer tracer(job.mesh);
   std::vector<Frame> frames;
+  frames.reserve(job.draws.size());
   for (const Draw& draw : job.draws) {
     frames.emplace_back(draw.view.image.width, draw.view.image.height);
   }

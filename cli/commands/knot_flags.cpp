@@ -16,12 +16,12 @@ struct FlagVisitor {
   std::vector<Argument> flags = {};
 
   template <class T>
-  Argument& add(std::string_view key, std::string value, std::string_view about) {
+  Argument& add(std::string_view key, std::string_view value, std::string_view about) {
     const auto keep = [given = given, key = std::string(key)](const T& v) { (*given)[key] = v; };
     flags.push_back({.names = field_label("--", key),
                      .target = Take<T>(keep),
                      .meaning = std::string(about),
-                     .default_text = std::move(value),
+                     .default_text = std::string(value),
                      .checked = false,
                      .heading = "Knot"});
     return flags.back();

@@ -32,17 +32,17 @@ struct MeshFlags {
   Output out;
 };
 
-/// Chooses the segments and sides with the fewest triangles.
-void choose_grid(KnotSpec& knot, const MeshFlags& flags) {
+/// Chooses the segments and sides with the fewest triangles within `max_error`.
+void choose_grid(KnotSpec& knot, double max_error, const MeshFlags& flags) {
   if (flags.knot->contains("segments") || flags.knot->contains("sides")) {
     throw Error("--max-error can't be used with --segments or --sides, which it chooses");
   }
-  check_number("--max-error", *flags.max_error, kPositive);
+  check_number("--max-error", max_error, kPositive);
   if (has_fixed_winding(knot.convention) || knot.frames != FrameRule::kRotationMinimizing) {
     throw Error("--max-error needs exact rings; drop --frames, or --convention three or babylon");
   }
   const Spine spine(components(knot).front());
-  const LeanGrid grid = lean_grid(TubeSurface(spine, knot.tube_radius), *flags.max_error,
+  const LeanGrid grid = lean_grid(TubeSurface(spine, knot.tube_radius), max_error,
                                   progress_bar(flags.out, "choosing a grid"));
   knot.segments = grid.segments;
   knot.sides = grid.sides;
@@ -84,7 +84,7 @@ void run(const MeshFlags& flags) {
   }
   if (!flags.output.empty()) check_mesh_output(flags.output, flags.file, "--output");
   check_clearance(knot, flags);
-  if (flags.max_error) choose_grid(knot, flags);
+  if (flags.max_error) choose_grid(knot, *flags.max_error, flags);
   TriangleMesh mesh = knot_mesh(knot);
   if (flags.file.tangents) mesh.tangents = tangents(mesh);
   if (!flags.output.empty()) write_mesh(flags.output, mesh, flags.file, "--output");

@@ -18,6 +18,7 @@
 #include "scene/presets.h"
 #include "shaders/languages/emit.h"
 #include "system/error.h"
+#include "system/known.h"
 #include "system/process.h"
 #include "validate/renderers/spirv.h"
 
@@ -128,13 +129,13 @@ void say_table1(const ShaderFlags& flags, const ShaderJob& job, const std::vecto
   if (m.space != Space::kYiq || m.rate != ShadingFrequency::kPixel) return;
   ShaderJob table1;
   table1.name = "yiq-table1-phong";
-  table1.shot = {"final", Stage::kFinal, *with_formula(table1.view.material, table1.name)};
+  table1.shot = {"final", Stage::kFinal, known(with_formula(table1.view.material, table1.name))};
   for (const Written& written : all) {
     if (!written.instructions) continue;
-    flags.out.say(
-        fmt::format("{}: {} SPIR-V instructions; the paper's Table 1, emitted the same way: {}",
-                    backend_of(written.language).name, *written.instructions,
-                    *validate::fragment_instructions(flags.programs, table1, written.language)));
+    flags.out.say(fmt::format(
+        "{}: {} SPIR-V instructions; the paper's Table 1, emitted the same way: {}",
+        backend_of(written.language).name, *written.instructions,
+        known(validate::fragment_instructions(flags.programs, table1, written.language))));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "scene/fields.h"
 #include "scene/presets.h"
 #include "shaders/languages/emit.h"
+#include "system/known.h"
 
 namespace lumaknot::cli {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 ShaderJob job_of(const std::string& name, ShadingFrequency rate) {
   ShaderJob job;
   job.name = name;
-  job.shot = {"final", Stage::kFinal, *with_formula(job.view.material, name)};
+  job.shot = {"final", Stage::kFinal, known(with_formula(job.view.material, name))};
   job.shot.material.rate = rate;
   return job;
 }

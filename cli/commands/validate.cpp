@@ -19,6 +19,7 @@
 #include "scene/presets.h"
 #include "system/atomic_file.h"
 #include "system/error.h"
+#include "system/known.h"
 #include "system/process.h"
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
@@ -50,12 +51,12 @@ std::vector<Shot> finals(const Material& own, const std::vector<std::string>& mo
       shots.push_back({"scene", Stage::kFinal, own});
     }
     for (const NamedMaterial& m : paper_materials()) {
-      shots.push_back({std::string(m.name), Stage::kFinal, *with_formula(own, m.name)});
+      shots.push_back({std::string(m.name), Stage::kFinal, known(with_formula(own, m.name))});
     }
   }
   for (const std::string& name : models) {
     if (std::ranges::count(shots, name, &Shot::name) > 0) continue;
-    shots.push_back({name, Stage::kFinal, name == "scene" ? own : *with_formula(own, name)});
+    shots.push_back({name, Stage::kFinal, name == "scene" ? own : known(with_formula(own, name))});
   }
   return shots;
 }

@@ -38,7 +38,7 @@ std::string fish_quoted(std::string_view text) {
 /// The options of `complete` for an argument's value; -f: no files, -F: files, -r: value required.
 std::string value_options(const Argument& argument) {
   if (!takes_value(argument)) return " -f";
-  const std::string needed = is_positional(argument) ? "" : " -r";
+  std::string needed = is_positional(argument) ? "" : " -r";
   const std::string words = joined(argument.choices, " ");
   switch (completion_of(argument)) {
     case Completion::kNone:

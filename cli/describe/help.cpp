@@ -81,7 +81,7 @@ std::string usage(const Subcommand& command) {
 
 std::string label(const Argument& argument) {
   if (is_positional(argument)) return placeholder(argument);
-  const std::string names = joined(names_of(argument), ", ");
+  std::string names = joined(names_of(argument), ", ");
   if (!takes_value(argument)) return names;
   const std::string value = placeholder(argument);
   return names + " " + (argument.when_alone.empty() ? value : "[" + value + "]");

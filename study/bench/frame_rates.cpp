@@ -13,6 +13,7 @@
 #include "render/fast/renderer.h"
 #include "scene/presets.h"
 #include "study/measure/peer_run.h"
+#include "system/known.h"
 
 namespace lumaknot::bench {
 namespace {
@@ -184,6 +185,7 @@ void draw_round(Contender& contender, double seconds) {
 double ratio_of(const Contender& contender, const Contender& ours) {
   const auto medians = [](const Contender& of) {
     std::vector<double> all;
+    all.reserve(of.rounds.size());
     for (const FrameTimes& round : of.rounds) all.push_back(measure::median(round[0]));
     return all;
   };
@@ -237,7 +239,7 @@ std::vector<Shot> rate_shots(const Scene& scene) {
   std::vector<Shot> shots;
   for (const std::string_view formula : {"rgb-phong", "yiq-phong", "yiq-table1-phong"}) {
     const std::string name(kRateShots[shots.size()]);
-    shots.push_back({name, Stage::kFinal, *with_formula(base, formula)});
+    shots.push_back({name, Stage::kFinal, known(with_formula(base, formula))});
   }
   shots[1].material.form = Form::kCollapsed;
   return shots;

@@ -62,7 +62,7 @@ mustache::data line_data(double x1, double y1, double x2, double y2) {
   return line;
 }
 
-mustache::data label_data(double x, double y, const char* anchor, double decade) {
+mustache::data label_data(double x, double y, const char* anchor, int decade) {
   mustache::data label;
   label.set("x", number(x));
   label.set("y", number(y));
@@ -73,12 +73,12 @@ mustache::data label_data(double x, double y, const char* anchor, double decade)
 
 void add_grid(mustache::data& chart, const ScalingAxes& axes) {
   mustache::data lines = mustache::data::type::list, labels = mustache::data::type::list;
-  for (double decade = 0; decade <= axes.decades_x; ++decade) {
+  for (int decade = 0; decade <= axes.decades_x; ++decade) {
     const double x = axes.x(std::pow(10, decade));
     lines.push_back(line_data(x, kAxesTop, x, kAxesBottom));
     labels.push_back(label_data(x, kAxesBottom + 20, "middle", decade));
   }
-  for (double decade = 0; decade <= axes.decades_y; ++decade) {
+  for (int decade = 0; decade <= axes.decades_y; ++decade) {
     const double y = axes.y(std::pow(10, decade));
     lines.push_back(line_data(kAxesLeft, y, kAxesRight, y));
     labels.push_back(label_data(kAxesLeft - 8, y + 4, "end", decade));

@@ -18,9 +18,9 @@ KnotSample KnotGrid::of_mesh(const Fragment& fragment) const {
   const Triangle& corners = mesh_.triangles[std::size_t(fragment.triangle)];
   for (std::size_t i = 0; i < 3; ++i) {
     const long long vertex = corners[i] % layout_.vertices();
-    const double ring = double(vertex / layout_.columns), side = double(vertex % layout_.columns);
-    sample.t += fragment.weights[i] * kTurn * ring / layout_.segments;
-    sample.theta += fragment.weights[i] * kTurn * side / layout_.sides;
+    const long long ring = vertex / layout_.columns, side = vertex % layout_.columns;
+    sample.t += fragment.weights[i] * kTurn * double(ring) / layout_.segments;
+    sample.theta += fragment.weights[i] * kTurn * double(side) / layout_.sides;
   }
   sample.seen.triangle = fragment.triangle / layout_.triangles();
   return sample;

@@ -146,6 +146,7 @@ class Swaps {
 
   std::vector<Fragment> mesh_samples(int x, const Grid<Fragment>& band) const {
     std::vector<Fragment> samples;
+    samples.reserve(std::size_t(samples_) * std::size_t(samples_));
     for (int s = 0; s < samples_ * samples_; ++s) {
       samples.push_back(band.at(x * samples_ + s % samples_, s / samples_));
     }
@@ -154,9 +155,10 @@ class Swaps {
 
   std::vector<exact::ExactFragment> exact_samples(int x, int y) const {
     std::vector<exact::ExactFragment> samples;
+    samples.reserve(std::size_t(samples_) * std::size_t(samples_));
     for (int s = 0; s < samples_ * samples_; ++s) {
-      samples.push_back(
-          pixels_.at(x + (s % samples_ + 0.5) / samples_, y + (s / samples_ + 0.5) / samples_));
+      const int column = s % samples_, row = s / samples_;
+      samples.push_back(pixels_.at(x + (column + 0.5) / samples_, y + (row + 0.5) / samples_));
     }
     return samples;
   }

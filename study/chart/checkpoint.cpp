@@ -84,7 +84,7 @@ std::string chart_standing(const ChartJob& job, const fs::path& folder) {
   measure::Checkpoint(folder / kChartFile, chart_keys(wanted))
       .load([&](const nlohmann::ordered_json& json) { kept = chart_from(json); });
   const int truths = kept ? kept_truths(job, folder) : 0;
-  if (truths == 0) return "nothing is kept yet";
+  if (!kept || truths == 0) return "nothing is kept yet";
   return fmt::format("{} are measured and kept in {}; the same command goes on",
                      measured(job, *kept, truths), folder.string());
 }

@@ -18,9 +18,10 @@ std::vector<Candidate> by_error(const Chart& chart, const Metric& metric, std::s
   std::vector<Candidate> all;
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
-    const auto time = frame_time(chart, point);
-    if (!time || !point.errors[truth] || point.space != space) continue;
-    all.push_back({i, (*point.errors[truth]).*metric.value, time->median});
+    const std::optional<measure::Spread> time = frame_time(chart, point);
+    const std::optional<double> error = error_from(point, metric, truth);
+    if (!time || !error || point.space != space) continue;
+    all.push_back({i, *error, time->median});
   }
   std::ranges::stable_sort(all, {}, &Candidate::error);
   return all;
@@ -54,12 +55,19 @@ Fronts fronts_of(const Chart& chart, const Metric& metric) {
 double open_share(const std::vector<double>& ratios) {
   const double middle = measure::median(ratios);
   std::vector<double> distances;
+  distances.reserve(ratios.size());
   for (const double ratio : ratios) distances.push_back(std::abs(ratio / middle - 1));
   const double sigma = measure::median(distances) / 0.6745;
   return 3 * 1.2533 * sigma / std::sqrt(double(ratios.size()));
 }
 
 }  // namespace
+
+std::optional<double> error_from(const ChartPoint& point, const Metric& metric, std::size_t truth) {
+  const std::optional<measure::Errors>& errors = point.errors[truth];
+  if (!errors) return {};
+  return (*errors).*metric.value;
+}
 
 std::optional<measure::Spread> frame_time(const Chart& chart, const ChartPoint& point) {
   if (point.milliseconds.empty()) return std::nullopt;

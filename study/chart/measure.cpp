@@ -16,6 +16,7 @@
 #include "study/measure/frame_time.h"
 #include "study/measure/method_bench.h"
 #include "system/error.h"
+#include "system/known.h"
 #include "system/process.h"
 
 namespace lumaknot::chart {
@@ -268,7 +269,7 @@ class ChartRun {
   }
 
   void time(ChartPoint& point) {
-    const measure::FrameRound round = bench_.time(*point.method);
+    const measure::FrameRound round = bench_.time(known(point.method));
     point.ratios.push_back(round.ratio);
     point.milliseconds.push_back(round.milliseconds);
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "system/known.h"
+
 namespace lumaknot::chart {
 namespace {
 
@@ -45,7 +47,7 @@ PlaceBox panel_box(std::size_t truth) {
 }
 
 double shown_error(const ChartPoint& point, const Metric& metric, std::size_t truth) {
-  return std::max(kMin, (*point.errors[truth]).*metric.value);
+  return std::max(kMin, known(error_from(point, metric, truth)));
 }
 
 bool is_shown(const Chart& chart, const ChartPoint& point, std::size_t truth) {
@@ -57,7 +59,7 @@ std::optional<ChartAxes> chart_axes(const Chart& chart, const Metric& metric) {
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
     for (const ChartPoint& point : chart.points) {
       if (!is_shown(chart, point, truth)) continue;
-      const measure::Spread time = *frame_time(chart, point);
+      const measure::Spread time = known(frame_time(chart, point));
       errors.push_back(shown_error(point, metric, truth));
       times.insert(times.end(), {time.min, time.max});
     }
@@ -78,7 +80,7 @@ PanelLabels panel_labels(const Chart& chart, const Metric& metric, std::size_t t
   if (!axes) return result;
   const PanelScale scale(*axes, panel_box(truth));
   const auto at = [&](const ChartPoint& point) {
-    return scale.at(frame_time(chart, point)->median, shown_error(point, metric, truth));
+    return scale.at(known(frame_time(chart, point)).median, shown_error(point, metric, truth));
   };
   std::size_t index = 0, number = 0;
   for (const Space space : spaces_in(chart)) {
@@ -94,7 +96,7 @@ PanelLabels panel_labels(const Chart& chart, const Metric& metric, std::size_t t
   std::vector<std::string> named;
   for (const ChartPoint& point : chart.points) {
     if (!is_shown(chart, point, truth)) continue;
-    const measure::Spread time = *frame_time(chart, point);
+    const measure::Spread time = known(frame_time(chart, point));
     const double error = shown_error(point, metric, truth);
     result.obstacles.points.push_back(at(point));
     result.obstacles.lines.push_back({scale.at(time.min, error), scale.at(time.max, error)});

@@ -5,6 +5,7 @@
 
 #include "scene/fields.h"
 #include "study/chart/panel.h"
+#include "system/known.h"
 
 namespace lumaknot::chart {
 namespace {
@@ -44,7 +45,7 @@ std::string group_rows(const Chart& chart, const Metric& metric, std::size_t tru
   std::string rows;
   for (const ChartPoint& point : chart.points) {
     if (group_of(point) != group || !is_shown(chart, point, truth)) continue;
-    const measure::Spread time = *frame_time(chart, point);
+    const measure::Spread time = known(frame_time(chart, point));
     rows += fmt::format("{} {} {} {}\n", time.median, shown_error(point, metric, truth), time.min,
                         time.max);
   }
@@ -55,8 +56,8 @@ std::string front_rows(const Chart& chart, const Metric& metric, std::size_t tru
   std::string rows;
   for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
     const ChartPoint& point = chart.points[i];
-    rows +=
-        fmt::format("{} {}\n", frame_time(chart, point)->median, shown_error(point, metric, truth));
+    rows += fmt::format("{} {}\n", known(frame_time(chart, point)).median,
+                        shown_error(point, metric, truth));
   }
   return rows;
 }
@@ -90,8 +91,8 @@ std::string front_list(const Chart& chart, const Metric& metric, std::size_t tru
       ++number;
       labels += fmt::format(
           "set label '{:>2}  {:>7} ms  {:8.2e}  {}' at screen {},{} font 'monospace,9'\n", number,
-          measure::shown_time(frame_time(chart, point)->median),
-          (*point.errors[truth]).*metric.value, escaped(point.name), left, at(number));
+          measure::shown_time(known(frame_time(chart, point)).median),
+          known(error_from(point, metric, truth)), escaped(point.name), left, at(number));
     }
   }
   return labels;
@@ -111,6 +112,7 @@ std::string front_plots(const Chart& chart, std::size_t truth) {
 /// `labels` as gnuplot's, where none lies on another, with a line to points that are far away.
 std::string placed_labels(const PanelLabels& labels, const PlaceBox& panel) {
   std::vector<PlaceLabel> sizes;
+  sizes.reserve(labels.labels.size());
   for (const PanelLabel& label : labels.labels) sizes.push_back(label.place);
   const std::vector<PlaceBox> boxes = place_labels(sizes, labels.obstacles, panel);
   const auto on_graph = [&](const PlacePoint& p) {

@@ -69,6 +69,9 @@ struct Chart {
 /// A method in words, another program by its name.
 std::string words_of(const ChartPoint& point);
 
+/// The point's error from that truth; empty if the truth is not its target.
+std::optional<double> error_from(const ChartPoint& point, const Metric& metric, std::size_t truth);
+
 /// Milliseconds per frame: the ratios' median, minimum and maximum times the baseline's median;
 /// other programs': their own. Empty for points without rounds.
 std::optional<measure::Spread> frame_time(const Chart& chart, const ChartPoint& point);

@@ -6,6 +6,7 @@
 #include "scene/fields.h"
 #include "study/chart/checkpoint.h"
 #include "study/measure/method_words.h"
+#include "system/known.h"
 
 namespace lumaknot::chart {
 namespace {
@@ -58,9 +59,8 @@ Json point_json(const Chart& chart, const ChartPoint& point) {
   json["space"] = kSpaceNames[std::size_t(point.space)];
   if (!point.how.empty()) json["how"] = point.how;
   for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
-    if (point.errors[truth]) {
-      json["errors"][std::string(kTruthNames[truth])] = errors_json(*point.errors[truth]);
-    }
+    const std::optional<measure::Errors>& errors = point.errors[truth];
+    if (errors) json["errors"][std::string(kTruthNames[truth])] = errors_json(*errors);
   }
   if (const auto time = frame_time(chart, point)) {
     json["milliseconds"] = {{"median", time->median}, {"least", time->min}, {"most", time->max}};
@@ -189,8 +189,8 @@ std::string advice_sentence(const Chart& chart, const Metric& metric, std::size_
   return fmt::format("for an error ({}) of at most {} {}{}: {} ms, {} {:.3g}", metric.name,
                      advice.level.name,
                      advice.take ? "take " : "no method is good enough; the nearest is ",
-                     words_of(point), measure::shown_time(frame_time(chart, point)->median),
-                     metric.name, (*point.errors[truth]).*metric.value);
+                     words_of(point), measure::shown_time(known(frame_time(chart, point)).median),
+                     metric.name, known(error_from(point, metric, truth)));
 }
 
 std::string chart_json(const Chart& chart) {
@@ -220,9 +220,10 @@ std::string chart_csv(const Chart& chart) {
     text += fmt::format("{},{}", quoted(point.name), kSpaceNames[std::size_t(point.space)]);
     const auto time = frame_time(chart, point);
     text += time ? fmt::format(",{},{},{}", time->median, time->min, time->max) : ",,,";
-    for (const auto& errors : point.errors) {
+    for (std::size_t truth = 0; truth < kTruthNames.size(); ++truth) {
       for (const Metric& metric : kMetrics) {
-        text += errors ? fmt::format(",{}", (*errors).*metric.value) : ",";
+        const std::optional<double> error = error_from(point, metric, truth);
+        text += error ? fmt::format(",{}", *error) : ",";
       }
     }
     for (const FrontMembers& members : fronts) text += members[i] ? ",1" : ",0";
@@ -242,10 +243,11 @@ std::string chart_text(const Chart& chart, const Metric& metric) {
                           kNameWidth, metric.name, "ms", "least..most");
       for (const std::size_t i : pareto_front(chart, metric, truth, space)) {
         const ChartPoint& point = chart.points[i];
-        const measure::Spread time = *frame_time(chart, point);
-        text += fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kNameWidth - 2,
-                            (*point.errors[truth]).*metric.value, measure::shown_time(time.median),
-                            measure::shown_time(time.min), measure::shown_time(time.max));
+        const measure::Spread time = known(frame_time(chart, point));
+        text +=
+            fmt::format("  {:<{}}  {:>9.3g}  {:>8}  {}..{}\n", point.name, kNameWidth - 2,
+                        known(error_from(point, metric, truth)), measure::shown_time(time.median),
+                        measure::shown_time(time.min), measure::shown_time(time.max));
       }
       for (const Advice& a : advice(chart, metric, truth, space)) {
         text += fmt::format("  {}\n", advice_sentence(chart, metric, truth, a));

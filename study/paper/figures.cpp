@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "scene/presets.h"
+#include "system/known.h"
 #include "validate/report/forms.h"
 #include "validate/run.h"
 
@@ -27,17 +28,17 @@ std::string file_word(std::string_view name) {
 std::vector<Shot> front_shots(const PaperScenes& scenes) {
   const Material& front = scenes.front.view.material;
   const Material specular = transferred(scenes.specular, scenes.front);
-  return {{"front-phong", Stage::kFinal, *with_formula(front, "phong")},
-          {"front-yiq", Stage::kFinal, *with_formula(front, "yiq-eq6")},
-          {"front-table1", Stage::kFinal, *with_formula(front, "yiq-table1")},
-          {"specular-phong", Stage::kFinal, *with_formula(specular, "phong")},
-          {"specular-yiq", Stage::kFinal, *with_formula(specular, "yiq-eq6")}};
+  return {{"front-phong", Stage::kFinal, known(with_formula(front, "phong"))},
+          {"front-yiq", Stage::kFinal, known(with_formula(front, "yiq-eq6"))},
+          {"front-table1", Stage::kFinal, known(with_formula(front, "yiq-table1"))},
+          {"specular-phong", Stage::kFinal, known(with_formula(specular, "phong"))},
+          {"specular-yiq", Stage::kFinal, known(with_formula(specular, "yiq-eq6"))}};
 }
 
 std::vector<Shot> back_shots(const PaperScenes& scenes) {
   const Material& back = scenes.back.view.material;
-  return {{"back-phong", Stage::kFinal, *with_formula(back, "phong")},
-          {"back-yiq", Stage::kFinal, *with_formula(back, "yiq-eq6")}};
+  return {{"back-phong", Stage::kFinal, known(with_formula(back, "phong"))},
+          {"back-yiq", Stage::kFinal, known(with_formula(back, "yiq-eq6"))}};
 }
 
 double agreeing_share(const validate::Comparison& c) {

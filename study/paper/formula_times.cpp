@@ -6,6 +6,7 @@
 
 #include "render/fast/renderer.h"
 #include "scene/presets.h"
+#include "system/known.h"
 #include "system/process.h"
 
 namespace lumaknot::paper {
@@ -18,7 +19,7 @@ double milliseconds_since(Clock::time_point start) {
 }
 
 std::unique_ptr<fast::Renderer> renderer_of(Scene scene, const std::string& formula) {
-  scene.view.material = *with_formula(scene.view.material, formula);
+  scene.view.material = known(with_formula(scene.view.material, formula));
   fast::Options options;
   options.filter = Filter::kTrilinear;
   options.threads = 1;
@@ -49,6 +50,7 @@ std::vector<FormulaTime> time_formulas(const Scene& scene, const std::vector<std
     if (progress) progress(std::min(share, 1.0));
   }
   std::vector<FormulaTime> result;
+  result.reserve(formulas.size());
   for (std::size_t i = 0; i < formulas.size(); ++i) {
     result.push_back(
         {formulas[i], measure::spread_of(times[i]), 1 - measure::paired_ratio(times[0], times[i])});

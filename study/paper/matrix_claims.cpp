@@ -107,7 +107,8 @@ PaperClaim ones_claim(const YiqMatrices& m) {
 PaperClaim luma_claim(const Vec3d& weights) {
   double min = 1e9, max = 0;
   for (int i = 1; i < 216; ++i) {  // the cube in fifths, except black
-    const Vec3d rgb{i % 6 / 5.0, i / 6 % 6 / 5.0, i / 36 / 5.0};
+    const int red = i % 6, green = i / 6 % 6, blue = i / 36;
+    const Vec3d rgb{red / 5.0, green / 5.0, blue / 5.0};
     const double luminance = xyz_from_rgb<double>(rgb).y;
     const double ratio = dot(weights, rgb) / encode_srgb<double>(luminance);
     min = std::min(min, ratio);

@@ -32,7 +32,8 @@ std::vector<ModelPictures> model_pictures(const PaperScenes& scenes) {
   std::vector<ModelPictures> all;
   for (const std::string name : {"oren-nayar", "cook-torrance"}) {
     const auto drawn = [&](const std::string& space) {
-      return picture(scenes, scenes.back, formula_of(scenes.back, space + "-" + name));
+      return picture(scenes, scenes.back,
+                     formula_of(scenes.back, fmt::format("{}-{}", space, name)));
     };
     all.push_back({name, drawn("rgb"), drawn("yiq")});
   }

@@ -67,14 +67,15 @@ Marks covered(const Image& image) {
 Marks marked(const Image& stage, const std::function<bool(double)>& is_in) {
   Marks marks(stage.pixels.size());
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    marks[i] = stage.pixels[i].coverage > 0 && is_in(double(stage.pixels[i].color.r));
+    const RgbaPixel& pixel = stage.pixels[i];
+    marks[i] = pixel.coverage > 0 && is_in(double(pixel.color.r)) ? 1 : 0;
   }
   return marks;
 }
 
 Marks both(const Marks& a, const Marks& b) {
   Marks marks(a.size());
-  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = a[i] && b[i];
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = a[i] && b[i] ? 1 : 0;
   return marks;
 }
 

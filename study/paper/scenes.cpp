@@ -3,13 +3,14 @@
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
+#include "system/known.h"
 
 namespace lumaknot::paper {
 namespace {
 
 Scene with_view(const Scene& scene, std::string_view name, int side) {
   Scene result = scene;
-  result.view = builtin_scene(name)->view;
+  result.view = known(builtin_scene(name)).view;
   result.view.image = {side, side, 1};
   return result;
 }
@@ -18,7 +19,7 @@ Scene with_view(const Scene& scene, std::string_view name, int side) {
 
 PaperScenes paper_scenes(int side) {
   PaperScenes scenes;
-  const SceneSpec spec = *builtin_scene("figure1-front");
+  const SceneSpec spec = known(builtin_scene("figure1-front"));
   const Scene plain{knot_mesh(std::get<KnotSpec>(spec.mesh)), bricks(), {}};
   scenes.front = with_view(plain, "figure1-front", side);
   scenes.back = with_view(plain, "figure1-back", side);
@@ -32,7 +33,7 @@ Image picture(const PaperScenes& scenes, const Scene& scene, const Material& mat
 }
 
 Material formula_of(const Scene& scene, std::string_view formula) {
-  return *with_formula(scene.view.material, formula);
+  return known(with_formula(scene.view.material, formula));
 }
 
 Image stage_picture(const PaperScenes& scenes, const Scene& scene, Stage stage) {

@@ -102,21 +102,21 @@ void PixelNeighborhood::look_at_cells(SampleRange& range, int x, int y, int cell
   const int border = int(reach / side), width = cells + 2 * border;
   std::vector<std::array<double, 4>> seen;  // cell by cell, including those of the border
   for (int k = 0; k < width * width; ++k) {
-    const double u = x + side * (k % width - border + 0.5),
-                 v = y + side * (k / width - border + 0.5);
+    const int column = k % width - border, row = k / width - border;
+    const double u = x + side * (column + 0.5), v = y + side * (row + 0.5);
     seen.push_back(channels(pixels_.sample(pixels_.at(u, v).fragment)));
   }
-  std::vector<int> near;  // steps from a cell to those within reach
+  std::vector<std::ptrdiff_t> near;  // steps from a cell to those within reach
   for (int v = -border; v <= border; ++v) {
     for (int u = -border; u <= border; ++u) {
-      if (std::hypot(u, v) * side <= reach) near.push_back(v * width + u);
+      if (std::hypot(u, v) * side <= reach) near.push_back(std::ptrdiff_t(v) * width + u);
     }
   }
   std::array<double, 4> low{}, high{};
   for (int k = 0; k < cells * cells; ++k) {
-    const int own = (k / cells + border) * width + k % cells + border;
+    const std::ptrdiff_t row = k / cells + border, own = row * width + k % cells + border;
     std::array<double, 4> min = seen[std::size_t(own)], max = min;
-    for (const int step : near) {
+    for (const std::ptrdiff_t step : near) {
       const std::array<double, 4>& other = seen[std::size_t(own + step)];
       for (std::size_t c = 0; c < 4; ++c) {
         min[c] = std::min(min[c], other[c]);

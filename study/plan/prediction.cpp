@@ -42,11 +42,18 @@ double nearest_depth(std::span<const Fragment> seen) {
   return nearest;
 }
 
-/// The sum of two parts, each possibly without a bound; one of weight 0 needs none.
+/// A part of a sum, possibly without a bound; one of weight 0 needs none.
+std::optional<double> part_of(double weight, std::optional<double> bound) {
+  if (weight > 0) return bound ? std::optional(weight * *bound) : std::nullopt;
+  return 0;
+}
+
+/// The sum of two such parts.
 std::optional<double> sum_of(double a, std::optional<double> of_a, double b,
                              std::optional<double> of_b) {
-  if ((a > 0 && !of_a) || (b > 0 && !of_b)) return {};
-  return (a > 0 ? a * *of_a : 0) + (b > 0 ? b * *of_b : 0);
+  const std::optional<double> first = part_of(a, of_a), second = part_of(b, of_b);
+  if (!first || !second) return {};
+  return *first + *second;
 }
 
 }  // namespace

@@ -87,9 +87,10 @@ std::string result_text(const Plan& plan) {
   std::string text =
       fmt::format("  {:<34} {:>11} {:>11} {:>11} {:>9} {:>9}\n", "errors in place and by the shift",
                   "in place", "by shift", "not at all", "largest", "mean");
-  for (const auto& [name, r] : picture_results(plan)) {
-    const auto share = [&r = r](long long pixels) { return measure::shown_share(r.share(pixels)); };
-    text += fmt::format("  {:<34} {:>11} {:>11} {:>11} {:>9.2g} {:>9.2g}\n", name,
+  for (const PictureResult& picture : picture_results(plan)) {
+    const ToleranceResult& r = picture.result;
+    const auto share = [&r](long long pixels) { return measure::shown_share(r.share(pixels)); };
+    text += fmt::format("  {:<34} {:>11} {:>11} {:>11} {:>9.2g} {:>9.2g}\n", picture.name,
                         share(r.met_in_place()), share(r.met_by_shift()), share(r.failing),
                         r.in_place, r.mean_in_place);
   }

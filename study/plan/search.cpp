@@ -96,6 +96,7 @@ std::vector<measure::Method> contenders(std::span<const measure::Method> methods
                                         Trials& trials) {
   const std::optional<measure::Method> best = fastest(methods, trials);
   std::vector<measure::Method> near;
+  if (!best) return near;
   for (const measure::Method& m : methods) {
     if (trials.min_ratio(m) <= share * trials.ratio(*best)) near.push_back(m);
   }
@@ -133,6 +134,7 @@ std::size_t guessed_rung(const measure::Method& method, std::span<const measure:
 
 std::vector<measure::Method> on_coarsest(const Candidates& candidates) {
   std::vector<measure::Method> coarse;
+  coarse.reserve(candidates.methods.size());
   for (const measure::Method& method : candidates.methods)
     coarse.push_back(measure::with_grid(method, candidates.ladder.front()));
   return coarse;

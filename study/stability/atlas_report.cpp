@@ -140,7 +140,7 @@ Atlas atlas_from(const Json& json, const std::filesystem::path& folder) {
 
 /// `x` with `digits` digits, rounded up or down.
 std::string rounded(double x, int digits, bool up) {
-  const std::string nearest = fmt::format("{:.{}g}", x, digits);
+  std::string nearest = fmt::format("{:.{}g}", x, digits);
   const double value = std::strtod(nearest.c_str(), nullptr);
   if (up ? value >= x : value <= x) return nearest;
   const double step = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
@@ -167,7 +167,9 @@ std::string boundary_text(const Boundary& b) {
     const auto is_near = [&](const std::string& text, double x) {
       return std::abs(std::strtod(text.c_str(), nullptr) - x) <= apart;
     };
-    if (is_near(holds, b.holds.x) && is_near(fails, b.fails.x)) return holds + " -> " + fails;
+    if (is_near(holds, b.holds.x) && is_near(fails, b.fails.x)) {
+      return fmt::format("{} -> {}", holds, fails);
+    }
   }
   return fmt::format("{} -> {}", b.holds.x, b.fails.x);
 }

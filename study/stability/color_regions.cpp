@@ -16,7 +16,11 @@ namespace {
 const std::vector<Vec3d>& cube() {
   static const std::vector<Vec3d> kCube = [] {
     std::vector<Vec3d> colors;
-    for (int i = 0; i < 216; ++i) colors.push_back({i % 6 / 5.0, i / 6 % 6 / 5.0, i / 36 / 5.0});
+    colors.reserve(216);
+    for (int i = 0; i < 216; ++i) {
+      const int red = i % 6, green = i / 6 % 6, blue = i / 36;
+      colors.push_back({red / 5.0, green / 5.0, blue / 5.0});
+    }
     return colors;
   }();
   return kCube;

@@ -55,6 +55,7 @@ struct Row {
 template <class T>
 void add_rows(std::vector<Row>& rows, std::vector<std::vector<std::string_view>>& groups, T) {
   std::vector<std::string_view> names;
+  names.reserve(T::kParameters.size());
   for (const Parameter& p : T::kParameters) names.push_back(p.name);
   const auto group = std::ranges::find(groups, names);
   const std::size_t index(group - groups.begin());

@@ -97,7 +97,8 @@ Region strands_touch() {
 constexpr double kChordLimit = 0.1;
 
 /// A region of grids that are too coarse, its knot given by the swept value.
-Region coarse(std::function<KnotSpec(double)> knot, std::function<KnotSpec(double)> fine) {
+Region coarse(const std::function<KnotSpec(double)>& knot,
+              const std::function<KnotSpec(double)>& fine) {
   Region region;
   region.group = "Tubes and grids";
   region.measured = "largest distance of the triangles from the exact tube, share of its radius";

@@ -12,7 +12,8 @@ namespace {
 constexpr std::string_view kHighp = "highp (single precision) for what is named here";
 
 /// A scene lit in half, compared with double.
-Region in_half(std::function<Scene(double)> scene, std::function<double(double)> scale) {
+Region in_half(const std::function<Scene(double)>& scene,
+               const std::function<double(double)>& scale) {
   Region region;
   region.group = "Half precision";
   region.remedy = kHighp;

@@ -7,11 +7,12 @@
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
+#include "system/known.h"
 
 namespace lumaknot::stability {
 
 KnotSpec sketch_knot() {
-  KnotSpec knot = std::get<KnotSpec>(builtin_scene("figure1-front")->mesh);
+  KnotSpec knot = std::get<KnotSpec>(known(builtin_scene("figure1-front")).mesh);
   knot.segments = 384;
   knot.sides = 32;
   return knot;
@@ -19,12 +20,12 @@ KnotSpec sketch_knot() {
 
 Scene knot_scene(const KnotSpec& knot, const Material& material) {
   static const TextureImage kBricks = bricks();
-  Scene scene{knot_mesh(knot), kBricks, builtin_scene("figure1-front")->view};
+  Scene scene{knot_mesh(knot), kBricks, known(builtin_scene("figure1-front")).view};
   scene.view.material = material;
   return scene;
 }
 
-Material formula(std::string_view name) { return *with_formula(Material{}, name); }
+Material formula(std::string_view name) { return known(with_formula(Material{}, name)); }
 
 namespace {
 
@@ -81,23 +82,23 @@ double largest_difference(const Scene& scene, int side, const FragmentColor& a,
 TriangleMesh tube_of(const std::vector<RingFrame>& frames, double tube_radius, int sides) {
   TriangleMesh mesh;
   const int rings = int(frames.size()), columns = sides + 1;
-  mesh.positions.resize(std::size_t(rings * columns));
+  mesh.positions.resize(std::size_t(rings) * std::size_t(columns));
   mesh.normals.resize(mesh.positions.size());
   mesh.uvs.resize(mesh.positions.size());
-  mesh.triangles.resize(std::size_t(2 * (rings - 1) * sides));
+  mesh.triangles.resize(2 * std::size_t(rings - 1) * std::size_t(sides));
   const KnotSpec tiles = sketch_knot();
   for (int i = 0; i < rings; ++i) {
     const RingFrame& frame = frames[std::size_t(i)];
     for (int j = 0; j < columns; ++j) {
       const double theta = kTurn * j / sides;
       const Vec3d out = frame.normal * std::cos(theta) + frame.binormal * std::sin(theta);
-      const std::size_t at = std::size_t(i * columns + j);
+      const std::size_t at = std::size_t(i) * std::size_t(columns) + std::size_t(j);
       mesh.positions[at] = frame.position + out * tube_radius;
       mesh.normals[at] = out;
       mesh.uvs[at] = {double(tiles.repeat_u) * i / (rings - 1), double(j) / sides};
       if (i == rings - 1 || j == sides) continue;
       const std::uint32_t a = std::uint32_t(at), b = a + std::uint32_t(columns);
-      const std::size_t quad = std::size_t(i * sides + j);
+      const std::size_t quad = std::size_t(i) * std::size_t(sides) + std::size_t(j);
       mesh.triangles[2 * quad] = {a, b, b + 1};
       mesh.triangles[2 * quad + 1] = {a, b + 1, a + 1};
     }

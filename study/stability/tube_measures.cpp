@@ -14,6 +14,7 @@ double overlap(const KnotSpec& knot) {
   const Spine spine(curve);
   const TubeSurface tube(spine, knot.tube_radius);
   std::vector<CurvePoint> line;
+  line.reserve(kLines);
   for (int k = 0; k < kLines; ++k) line.push_back(curve_point(curve, ring_parameter(k, kLines)));
   double nearest = knot.tube_radius;
   for (int i = 0; i < kRings * kSides; ++i) {

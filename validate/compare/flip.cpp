@@ -38,15 +38,16 @@ void balance(Kernel& kernel) {
 /// First and second derivative of a Gaussian: detectors of edges and of points.
 Kernel edge_detector(double sigma, int radius) {
   Kernel kernel = gaussian(sigma, radius);
-  for (int x = -radius; x <= radius; ++x) kernel[std::size_t(x + radius)] *= float(-x);
+  for (std::size_t i = 0; i < kernel.size(); ++i) kernel[i] *= float(radius - int(i));
   balance(kernel);
   return kernel;
 }
 
 Kernel point_detector(double sigma, int radius) {
   Kernel kernel = gaussian(sigma, radius);
-  for (int x = -radius; x <= radius; ++x) {
-    kernel[std::size_t(x + radius)] *= float(x * x / (sigma * sigma) - 1);
+  for (std::size_t i = 0; i < kernel.size(); ++i) {
+    const int x = int(i) - radius;
+    kernel[i] *= float(x * x / (sigma * sigma) - 1);
   }
   balance(kernel);
   return kernel;
