@@ -114,24 +114,22 @@ void add_visible_corners(const Rasterizer& rasterizer, const std::vector<NearTri
 
 SurfaceProbe::SurfaceProbe(const TriangleMesh& mesh, const Camera& camera, int width, int height)
     : rasterizer_(mesh, camera, width, height, height),
-      columns_((width + kTile - 1) / kTile),
-      rows_((height + kTile - 1) / kTile),
-      tiles_(std::size_t(columns_) * std::size_t(rows_)) {
+      tiles_((width + kTile - 1) / kTile, (height + kTile - 1) / kTile) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Rasterizer::Bounds bounds = rasterizer_.bounds(mesh.triangles[t], 0.5);
     if (bounds.empty()) continue;
     for (int row = bounds.y0 / kTile; row <= (bounds.y1 - 1) / kTile; ++row) {
       for (int column = bounds.x0 / kTile; column <= (bounds.x1 - 1) / kTile; ++column) {
-        tiles_[std::size_t(row * columns_ + column)].push_back(t);
+        tiles_.at(column, row).push_back(t);
       }
     }
   }
 }
 
 const std::vector<std::uint32_t>& SurfaceProbe::tile_at(double x, double y) const {
-  const int column = std::clamp(int(x / kTile), 0, columns_ - 1);
-  const int row = std::clamp(int(y / kTile), 0, rows_ - 1);
-  return tiles_[std::size_t(row * columns_ + column)];
+  const int column = std::clamp(int(x / kTile), 0, tiles_.width - 1);
+  const int row = std::clamp(int(y / kTile), 0, tiles_.height - 1);
+  return tiles_.at(column, row);
 }
 
 Fragment SurfaceProbe::at(double x, double y, double beyond) const {

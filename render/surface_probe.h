@@ -31,8 +31,7 @@ class SurfaceProbe {
   std::vector<std::uint32_t> triangles_around(double x, double y, double distance) const;
 
   Rasterizer rasterizer_;
-  int columns_, rows_;
-  std::vector<std::vector<std::uint32_t>> tiles_;  // each in the mesh's order
+  Grid<std::vector<std::uint32_t>> tiles_;  // each in the mesh's order
 };
 
 }  // namespace lumaknot

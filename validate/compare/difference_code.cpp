@@ -51,9 +51,11 @@ double decoded_difference(int code, double step) {
 
 CodedDifference coded_differences(const Grid<Rgb>& differences, std::size_t budget) {
   constexpr double kCoarsest = 1.0 / 64;
+  constexpr int kSteps = 6;
   constexpr std::size_t kMost = 4;
   CodedDifference coded;
-  for (double step = kFinestStep; step <= kCoarsest; step *= 4) {
+  for (int i = 0; i < kSteps; ++i) {
+    const double step = std::ldexp(kFinestStep, 2 * i);
     if (step < kCoarsest && is_hopeless(differences, step, budget)) continue;
     coded = {coded_png(differences, step), step};
     if (coded.png.size() <= budget) return coded;

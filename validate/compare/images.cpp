@@ -216,8 +216,9 @@ class Comparer {
     result_.unsearched = result_.outliers - (long long)seen;
     constexpr std::size_t kMaxPlaces = 10;
     for (const std::size_t i : outliers_) {
-      ++result_.classes[std::size_t(*pixels_[i].why)];
-      mark_at(pixels_[i].place) = PixelMark(1 + std::size_t(*pixels_[i].why));
+      const auto why = std::size_t(pixels_[i].why.value_or(PixelClass::kUnexplained));
+      ++result_.classes[why];
+      mark_at(pixels_[i].place) = PixelMark(1 + why);
       if (!pixels_[i].classed() && result_.unexplained.size() < kMaxPlaces) {
         result_.unexplained.push_back(pixels_[i].place);
       }
