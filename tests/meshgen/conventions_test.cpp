@@ -31,8 +31,9 @@ TEST(Conventions, three_retraces_what_is_a_link) {
   knot.q = 6;
   const TriangleMesh mesh = knot_mesh(knot);
   ASSERT_EQ(mesh.positions.size(), 65u * 9u);  // one loop, twice
-  for (std::size_t i = 0; i + 32 * 9 < mesh.positions.size(); ++i) {
-    EXPECT_LT(length(mesh.positions[i] - mesh.positions[i + 32 * 9]), 1e-13);  // rounding
+  constexpr std::size_t kColumns = 9, kLoop = 32 * kColumns;
+  for (std::size_t i = 0; i + kLoop < mesh.positions.size(); ++i) {
+    EXPECT_LT(length(mesh.positions[i] - mesh.positions[i + kLoop]), 1e-13);  // rounding
   }
   knot = KnotSpec{};
   knot.p = 4;
@@ -49,9 +50,10 @@ TEST(Conventions, babylon_has_no_seam_around_and_winds_clockwise) {
   }
   EXPECT_LT(volume(closed_mesh(knot, mesh)), 0);
   // The normals of the first ring and of the last, at the same places, differ: a seam.
+  constexpr std::size_t kSides = 32, kLast = 32 * kSides;
   double max = 0;
-  for (std::size_t j = 0; j < 32; ++j) {
-    max = std::max(max, length(mesh.normals[j] - mesh.normals[32 * 32 + j]));
+  for (std::size_t j = 0; j < kSides; ++j) {
+    max = std::max(max, length(mesh.normals[j] - mesh.normals[kLast + j]));
   }
   EXPECT_GT(max, 0.05);
 }
@@ -72,11 +74,11 @@ TEST(Unwrap, by_arc_length_the_texture_is_nowhere_stretched_along) {
     const TriangleMesh mesh = knot_mesh(knot);
     const Curve line = components(knot).front();
     double min = 1e9, max = 0;
+    const auto u_of = [&](int ring) { return mesh.uvs[5 * std::size_t(ring)].u; };
     for (int i = 0; i < knot.segments; ++i) {
       const double way = length(curve_point(line, ring_parameter(i + 1, 400)).position -
                                 curve_point(line, ring_parameter(i, 400)).position);
-      const double share =
-          way / (mesh.uvs[std::size_t(5 * (i + 1))].u - mesh.uvs[std::size_t(5 * i)].u);
+      const double share = way / (u_of(i + 1) - u_of(i));
       min = std::min(min, share);
       max = std::max(max, share);
     }
@@ -98,7 +100,7 @@ TEST(Tangents, are_the_surface_s_derivative_along_u) {
   const Spine spine(components(knot).front());
   for (int i = 1; i < knot.segments; i += 7) {
     for (int j = 1; j < knot.sides; ++j) {
-      const std::size_t at = std::size_t(i * 49 + j);
+      const std::size_t at = 49 * std::size_t(i) + std::size_t(j);
       const double t = ring_parameter(i, 600), theta = 2 * kPi * j / 48;
       const TubeSurface tube(spine, knot.tube_radius);
       const Vec3d along = normalize(tube.at(t, theta).along);

@@ -53,7 +53,8 @@ double sampled_chord(const TubeSurface& surface, int segments, int sides, int la
   for (int quad = 0; quad < segments * sides; ++quad) {
     const int i = quad / sides, row = sides + 1, a = i * row + quad % sides, b = a + row;
     for (int k = 0; k < (lattice + 1) * (lattice + 1); ++k) {
-      const double u = double(k / (lattice + 1)) / lattice, v = double(k % (lattice + 1)) / lattice;
+      const int along = k / (lattice + 1), across = k % (lattice + 1);
+      const double u = double(along) / lattice, v = double(across) / lattice;
       if (u + v > 1) continue;
       const auto at = [&](int n) { return x[std::size_t(n)]; };
       const double h = 2 * kPi / segments;

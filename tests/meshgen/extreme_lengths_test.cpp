@@ -85,7 +85,8 @@ TEST(ExtremeLengths, a_tube_too_thin_for_the_ring_is_drawn_or_refused) {
       const TriangleMesh mesh = knot_mesh(knot);
       for (int ring = 0; ring < knot.segments; ++ring) {
         const auto at = [&](int side) {
-          return mesh.positions[std::size_t(ring * (knot.sides + 1) + side)];
+          return mesh
+              .positions[std::size_t(ring) * std::size_t(knot.sides + 1) + std::size_t(side)];
         };
         // Rounding of positions near one is 1e-16: 1e-4 of the thinnest tube that can be drawn.
         ASSERT_NEAR(length(at(0) - at(6)) / (2 * tube), 1, 1e-2) << tube;

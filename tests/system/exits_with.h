@@ -14,6 +14,7 @@ inline void PrintTo(const ProcessResult& result, std::ostream* stream) {
           << result.log;
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): as gMock's own are
 MATCHER_P(ExitsWith, code, "") { return arg.exit_code == code && !arg.timed_out; }
 
 }  // namespace lumaknot

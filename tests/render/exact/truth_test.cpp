@@ -58,8 +58,8 @@ void expect_agrees_with_extended_precision(const KnotSpec& knot, const Material&
     if (!f.covered()) continue;
     const Curve& curve = curves[std::size_t(f.triangle)];
     const Vec3d eye = scene.view.camera.position;
-    const Ray ray{eye,
-                  world_ray(scene.view.camera, kSize, kSize, i % kSize + 0.5, i / kSize + 0.5)};
+    const int column = i % kSize, row = i / kSize;
+    const Ray ray{eye, world_ray(scene.view.camera, kSize, kSize, column + 0.5, row + 0.5)};
     const ExtendedHit hit =
         polished(curve, knot.tube_radius, ray, {f.depth, 0, pixel.t, f.position, f.normal});
     EXPECT_LT(length(plain(hit.position) - f.position), 1e-10);

@@ -26,7 +26,7 @@ double exact_field() {
 /// The world point at image point (x, y), in 1/1024 of a pixel, and a depth of few bits: no
 /// rounding on the way there and back. The camera is at z = 4.
 Vec3d snapped_point(int x, int y, double depth) {
-  const double half = kSize / 2;
+  const double half = kSize / 2.0;
   return {(x / 1024.0 - half) / kSize * depth, (half - y / 1024.0) / kSize * depth, 4 - depth};
 }
 

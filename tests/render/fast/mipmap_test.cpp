@@ -16,7 +16,7 @@ Mipmap all_levels(int width, int height) {
 double texel(const Mipmap& mipmap, std::size_t level, int x, int y, int channel) {
   const MipLevels& levels = mipmap.levels;
   const int index = levels.firsts[level] + y * levels.strides[level] + x;
-  return mipmap.floats[std::size_t(4 * index + channel)];
+  return mipmap.floats[4 * std::size_t(index) + std::size_t(channel)];
 }
 
 double mean(const Mipmap& mipmap, std::size_t level, int channel) {
