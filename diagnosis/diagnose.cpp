@@ -100,7 +100,7 @@ Diagnosis diagnose(const Case& given) {
   const Problem coarse{coarse_target, situation.setup, coarse_drawer,
                        std::max<std::size_t>(problem.pixels / share, 1)};
   problem.coarse = &coarse;
-  const Found found = search(problem, all);
+  const Found found = search(problem, all, given.progress);
   if (!found.accepted.empty()) {
     result.verdict = Diagnosis::Verdict::kNamed;
     result.cause = explained(found.accepted.front());

@@ -8,6 +8,7 @@
 
 #include "diagnosis/score.h"
 #include "meshgen/knot_mesh.h"
+#include "system/progress.h"
 
 namespace lumaknot::diagnosis {
 
@@ -19,6 +20,7 @@ struct Case {
   std::optional<KnotSpec> knot;  ///< what the scene's mesh was made from
   bool limited = false;          ///< the renderer can't keep colours outside [0, 1]
   bool expects_alpha = false;    ///< its pictures have coverage as alpha
+  Progress progress = {};
 };
 
 /// A cause's number.

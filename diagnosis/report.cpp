@@ -44,14 +44,14 @@ Json facts_json(const Facts& facts) {
 }  // namespace
 
 std::string report_text(const Diagnosis& diagnosis, const std::string& name) {
-  std::string text = fmt::format("{}: {}\n", name, sentence_of(diagnosis));
+  std::string text = fmt::format("{}: {}", name, sentence_of(diagnosis));
   for (const Explained& other : diagnosis.equivalents) {
     std::vector<std::string> sentences;
     for (const NamedCause& cause : other.causes) sentences.push_back(cause.sentence);
-    text += fmt::format("  the same picture also from: {}\n", fmt::join(sentences, " and "));
+    text += fmt::format("\n  the same picture also from: {}", fmt::join(sentences, " and "));
   }
   const Facts& facts = diagnosis.facts;
-  text += fmt::format("  {} per channel, {}; as given, {:.1f} % of its pixels are ours\n",
+  text += fmt::format("\n  {} per channel, {}; as given, {:.1f} % of its pixels are ours",
                       kDepthNames[std::size_t(facts.depth)],
                       facts.has_alpha ? "alpha is coverage" : "no alpha",
                       100 * diagnosis.as_given.explained);

@@ -7,8 +7,8 @@
 
 namespace lumaknot::diagnosis {
 
-/// Lines, each ending in a newline: the cause, what can't be told apart from it, and what the file
-/// says; `name` is the picture's.
+/// Lines, the last without a newline: the cause, what can't be told apart from it, and what the
+/// file says; `name` is the picture's.
 std::string report_text(const Diagnosis& diagnosis, const std::string& name);
 
 /// An object of JSON: verdict ("agrees", "named" or "unknown"), causes, equivalents, nearest,

@@ -55,8 +55,11 @@ std::vector<double> scene_values(const Hypothesis& h) {
 
 class Search {
  public:
-  Search(const Problem& problem, const std::vector<Hypothesis>& all)
-      : problem_(problem), screening_(problem.coarse ? *problem.coarse : problem), all_(all) {
+  Search(const Problem& problem, const std::vector<Hypothesis>& all, const Progress& progress)
+      : progress_(progress),
+        problem_(problem),
+        screening_(problem.coarse ? *problem.coarse : problem),
+        all_(all) {
     as_given_ = scored(problem, {});
     const Drawn ours = draw(problem, {});
     masks_match_ = mask_mismatch(problem, ours) < kMatchingMasks;
@@ -66,17 +69,25 @@ class Search {
     const std::vector<Explanation> singles = screened({}, kStarts, [&](const Hypothesis& h) {
       return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
     });
+    report(0.1);
     Found found = best_of(promising(singles), kRefined);
+    report(0.2);
     if (found.accepted.empty()) {
       const auto costly = [](const Hypothesis& h) { return h.costly; };
       merge(found, best_of(screened({}, kStarts, costly), kRefined));
     }
+    report(0.4);
     if (found.accepted.empty())
       merge(found, without_needless(best_of(pairs(singles), kRefinedPairs)));
     return found;
   }
 
  private:
+  /// About the share of the work that is done if all of it is needed.
+  void report(double share) const {
+    if (progress_) progress_(share);
+  }
+
   bool accepts(const Explanation& e) const {
     const double floor = floor_of(problem_.target.facts.depth);
     const double above = as_given_.score.value - floor, left = e.score.value - floor;
@@ -237,6 +248,7 @@ class Search {
     return refined(std::move(tried), kPromisingPairs, kSteps);
   }
 
+  const Progress& progress_;
   const Problem& problem_;
   const Problem& screening_;  ///< few pixels
   const std::vector<Hypothesis>& all_;
@@ -246,8 +258,9 @@ class Search {
 
 }  // namespace
 
-Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses) {
-  return Search(problem, hypotheses).run();
+Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+             const Progress& progress) {
+  return Search(problem, hypotheses, progress).run();
 }
 
 bool agrees(const Problem& problem, const Drawn& ours) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnosis/fit.h"
+#include "system/progress.h"
 
 namespace lumaknot::diagnosis {
 
@@ -12,7 +13,8 @@ struct Found {
 };
 
 /// All causes that alone, or else in pairs, explain the target.
-Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses);
+Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+             const Progress& progress = {});
 
 /// Whether the scene as given already explains the target.
 bool agrees(const Problem& problem, const Drawn& ours);

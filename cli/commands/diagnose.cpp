@@ -27,13 +27,11 @@ int run(const DiagnoseFlags& flags) {
   Shot shot{"final", Stage::kFinal, scene.view.material};
   if (!flags.model.empty()) shot.material = *with_formula(shot.material, flags.model);
   const auto* knot = std::get_if<KnotSpec>(&input.spec.mesh);
-  const diagnosis::Diagnosis result = diagnosis::diagnose(
-      {scene, shot, picture, knot ? std::optional(*knot) : std::nullopt, false, false});
-  if (flags.out.json) {
-    fmt::print("{}", diagnosis::report_json(result));
-  } else {
-    fmt::print("{}", diagnosis::report_text(result, flags.picture));
-  }
+  const diagnosis::Diagnosis result =
+      diagnosis::diagnose({scene, shot, picture, knot ? std::optional(*knot) : std::nullopt, false,
+                           false, progress_bar(flags.out, "diagnose")});
+  if (flags.out.json) fmt::print("{}", diagnosis::report_json(result));
+  flags.out.say(diagnosis::report_text(result, flags.picture));
   return result.verdict == diagnosis::Diagnosis::Verdict::kAgrees ? kExitAgreed : kExitDiffered;
 }
 
