@@ -130,7 +130,7 @@ TEST(BlenderPackage, parameters_give_the_camera_exactly) {
   scene.view.camera = {.position = {1, -4, 1.0 / 3}, .target = {0.5, 0, 0}, .fov_degrees = 50};
   scene.view.image = {300, 200, 1};
   const json p = parameters(blender_package(scene, shots(), "k"));
-  const json camera = p["camera"];
+  const json& camera = p["camera"];
   const auto vector = [&](const char* key) {
     return Vec3d{camera[key][0], camera[key][1], camera[key][2]};
   };

@@ -151,7 +151,7 @@ inline std::string tetrahedron_ply(bool big_endian) {
 /// `mesh` as written by OpenMesh's own writer for `extension`.
 template <class Mesh>
 std::string written_by_openmesh(const Mesh& mesh, std::string_view extension,
-                                OpenMesh::IO::Options options) {
+                                const OpenMesh::IO::Options& options) {
   std::ostringstream stream(std::ios::binary);
   constexpr int kDigits = 9;  // enough for any float32
   EXPECT_TRUE(OpenMesh::IO::write_mesh(mesh, stream, std::string(extension), options, kDigits));
