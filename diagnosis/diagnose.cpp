@@ -114,6 +114,7 @@ Diagnosis diagnose(const Case& given) {
 
 std::string sentence_of(const Diagnosis& diagnosis) {
   std::vector<std::string> causes;
+  causes.reserve(diagnosis.cause.causes.size());
   for (const NamedCause& c : diagnosis.cause.causes) causes.push_back(c.sentence);
   const std::string named = fmt::format("{}", fmt::join(causes, " and "));
   switch (diagnosis.verdict) {

@@ -52,9 +52,10 @@ Drawn blurred(const Drawn& all, const PixelGrid& size, double sigma, bool along_
   }
   Drawn result = empty(size.size());
   for (std::size_t i = 0; i < size.size(); ++i) {
-    for (int k = -radius; k <= radius; ++k) {
+    for (std::size_t w = 0; w < weights.size(); ++w) {
+      const int k = int(w) - radius;
       const int x = size.x(i) + (along_y ? 0 : k), y = size.y(i) + (along_y ? k : 0);
-      picture.add(result, i, x, y, weights[std::size_t(k + radius)] / sum);
+      picture.add(result, i, x, y, weights[w] / sum);
     }
   }
   return result;

@@ -131,7 +131,7 @@ class Fit {
     const double scale = robust_scale(here_, floor(), problem_.pixels);
     const Values move = direction(here_, scale);
     const double before = robust_sum(here_, scale);
-    for (double part = 1; part > 0.1; part /= 4) {
+    for (const double part : {1.0, 0.25}) {
       Explanation next = moved(move, part);
       Residuals there = residuals(next);
       if (robust_sum(there, scale) >= before * (1 - 1e-6)) continue;
@@ -236,7 +236,9 @@ double mask_distance(const Problem& problem, const Explanation& explanation) {
 }
 
 Explanation searched_around(const Problem& problem, Explanation best) {
-  for (double share = 1; share > 0.02; share /= 2) {
+  constexpr int kSteps = 6;
+  for (int step = 0; step < kSteps; ++step) {
+    const double share = std::ldexp(1, -step);
     for (std::size_t c = 0; c < best.causes.size(); ++c) {
       for (std::size_t p = 0; p < best.values[c].size(); ++p) {
         const Parameter& parameter = best.causes[c]->parameters[p];

@@ -47,6 +47,7 @@ std::string report_text(const Diagnosis& diagnosis, const std::string& name) {
   std::string text = fmt::format("{}: {}", name, sentence_of(diagnosis));
   for (const Explained& other : diagnosis.equivalents) {
     std::vector<std::string> sentences;
+    sentences.reserve(other.causes.size());
     for (const NamedCause& cause : other.causes) sentences.push_back(cause.sentence);
     text += fmt::format("\n  the same picture also from: {}", fmt::join(sentences, " and "));
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "system/known.h"
+
 namespace lumaknot::diagnosis {
 namespace {
 
@@ -49,6 +51,7 @@ double mask_mismatch(const Problem& problem, const Drawn& ours) {
 
 std::vector<double> scene_values(const Hypothesis& h) {
   std::vector<double> values;
+  values.reserve(h.parameters.size());
   for (const Parameter& p : h.parameters) values.push_back(p.start);
   return values;
 }
@@ -111,7 +114,7 @@ class Search {
       Explanation e = fit_of(tried[i].second, h, masks);
       if (!best || e.score.value < best->score.value) best = std::move(e);
     }
-    return *best;
+    return known(std::move(best));
   }
 
   /// Those nearest to the scene first, so that they win where several are as good.
