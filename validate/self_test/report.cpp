@@ -7,6 +7,8 @@
 namespace lumaknot::validate {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string_view noticed(const PlantedResult& r) {
   if (!r.changes) return "changes nothing";
   return r.noticed ? "yes" : "**no**";
@@ -44,7 +46,6 @@ std::string self_test_markdown(const SelfTest& test) {
 }
 
 std::string self_test_json(const SelfTest& test) {
-  using Json = nlohmann::ordered_json;
   Json results = Json::array();
   for (const PlantedResult& r : test.results) {
     results.push_back({{"fault", r.fault},

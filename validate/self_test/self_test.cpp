@@ -161,6 +161,7 @@ class Planting {
   static std::string ids(const diagnosis::Diagnosis& d) {
     std::vector<std::string> all;
     if (d.verdict != diagnosis::Diagnosis::Verdict::kNamed) return {};
+    all.reserve(d.cause.causes.size());
     for (const diagnosis::NamedCause& cause : d.cause.causes) all.push_back(cause.id);
     return fmt::format("{}", fmt::join(all, " + "));
   }
