@@ -134,14 +134,14 @@ class ToyFormat(Toy):
 
 
 class ToyRenderer(Toy):
-    def test_is_drawn_when_asked_for_and_held_to_its_own_limits(self):
+    def test_is_drawn_when_asked_for_and_held_to_its_own_promise(self):
         self.write_scene()
         self.run_lumaknot("validate", "scene.json", "--renderer", "toy", "--toy", "toy-program", "-o", "report",
                           code=1)
         report = json.loads(self.read("report/report.json"))
         self.assertEqual(report["verdict"], "differed", "it draws grey")
         (toy,) = report["renderers"]
-        self.assertEqual((toy["renderer"], toy["limits"]["reason"]), ("Toy", "a test"))
+        self.assertEqual((toy["renderer"], toy["promise"]["reason"]), ("Toy", "a test"))
 
     def test_brings_the_flag_of_its_program(self):
         self.assertIn("--toy ", self.run_lumaknot("validate", "--help"))
