@@ -37,7 +37,7 @@ Json read_report(const std::string& folder) {
 /// The renderer's flag, as `validate --renderer` takes it.
 std::string flag_of(const Json& renderer) {
   for (const validate::RendererEntry* entry : validate::renderer_entries()) {
-    if (entry->name == renderer.at("renderer")) return std::string(entry->flag);
+    if (entry->name == renderer.at("renderer").get<std::string>()) return std::string(entry->flag);
   }
   return {};
 }
