@@ -24,6 +24,7 @@ Situation situation_of(const Case& given, const Facts& facts) {
   s.setup.view.image = {given.theirs.width, given.theirs.height, 1};
   s.setup.picture.samples = given.scene.view.image.samples;
   s.knot = given.knot;
+  s.eight_bits = facts.depth == Depth::kEightBits;
   s.soft_edges = facts.soft_edges;
   Vec3d low = given.scene.mesh.positions.front(), high = low;
   for (const Vec3d& p : given.scene.mesh.positions) {

@@ -43,6 +43,7 @@ struct Situation {
   std::optional<KnotSpec> knot;  ///< what the mesh was made from
   ImageSpec asked;               ///< the scene's own size
   bool negative = false;         ///< our picture has negative colours
+  bool eight_bits = false;       ///< a fact of their file, and no fault
   bool soft_edges = false;       ///< some of their pixels are covered in part
   double extent = 1;             ///< half the diagonal of the mesh's box, scene units
   Vec3d centre;                  ///< of that box

@@ -115,8 +115,8 @@ RenderedShot shown(const Scene& scene, const Shot& shot, const PovShot& planned,
                    const std::vector<RenderedShot>& frames) {
   if (planned.frame) {
     RenderedShot drawn = frames[*planned.frame];
-    // Where light acts on luma, that is a texture of 16 bits of its own: taken from the colour once,
-    // and added to it times the light.
+    // Where light acts on luma, that is a texture of 16 bits of its own: taken from the colour
+    // once, and added to it times the light.
     if (shot.stage == Stage::kFinal && is_linear(shot.material.space)) {
       const double light =
           scene.view.ambient + brightest_light(scene.mesh, scene.view, shot.material.space);
