@@ -25,6 +25,7 @@ add_custom_command(
   COMMAND lumaknot completion zsh > ${generated}/_lumaknot
   COMMAND lumaknot completion fish > ${generated}/lumaknot.fish
   COMMAND lumaknot man -o ${generated}/man1
+  DEPENDS lumaknot
   VERBATIM)
 add_custom_target(lumaknot-printed ALL DEPENDS ${generated}/lumaknot.bash)
 install(FILES ${generated}/lumaknot.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
