@@ -13,11 +13,6 @@ Vec3d each(const Vec3d& c, F f) {
   return {f(c.x), f(c.y), f(c.z)};
 }
 
-/// K. Narkowicz, ACES Filmic Tone Mapping Curve, 2015: limited to [0, 1].
-double aces(double x) {
-  return std::clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
-}
-
 Vec3d rotated_hue(const Vec3d& color, double angle) {
   if (angle == 0) return color;
   Yiq<double> yiq = yiq_from_rgb<double>(color);
@@ -50,6 +45,11 @@ Vec3d applied(const ColorUse& use, const Vec3d& color, double coverage) {
     return (x + use.offset * coverage - 0.5 * coverage) * use.contrast + 0.5 * coverage;
   });
   c = rotated_hue(saturated(c, use.saturation), use.hue);
+  c = {dot(use.primaries[0], c), dot(use.primaries[1], c), dot(use.primaries[2], c)};
+  c = toned(use.tone, c);
+  if (!use.spline_values.empty()) {
+    c = each(c, [&](double x) { return use.spline.at(x, use.spline_values); });
+  }
   c = permuted(use.channels, transferred(use, c));
   if (use.inverted) c = Vec3d{1, 1, 1} * coverage - c;
   if (use.limited) c = each(c, [](double x) { return std::clamp(x, 0.0, 1.0); });
@@ -70,10 +70,6 @@ Vec3d curved(Curve curve, const Vec3d& color) {
       return each(color, [](double x) { return encode_srgb<double>(x); });
     case Curve::kDecodeSrgb:
       return each(color, [](double x) { return decode_srgb<double>(x); });
-    case Curve::kReinhard:
-      return each(color, [](double x) { return x / (1 + std::max(x, 0.0)); });
-    case Curve::kAces:
-      return each(color, aces);
     case Curve::kNone:
       break;
   }

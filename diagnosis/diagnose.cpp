@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/noise.h"
 #include "diagnosis/search.h"
 
 namespace lumaknot::diagnosis {
@@ -36,6 +37,16 @@ Situation situation_of(const Case& given, const Facts& facts) {
   return s;
 }
 
+/// Our and their colours where both cover the whole pixel.
+std::vector<std::pair<Vec3d, Vec3d>> colors_of_both(const Target& target, const Drawn& ours) {
+  std::vector<std::pair<Vec3d, Vec3d>> both;
+  for (std::size_t i = 0; i < ours.coverage.size(); ++i) {
+    if (ours.coverage[i] < 1 || target.coverage[i] < 1) continue;
+    both.emplace_back(ours.colors[i], target.colors[i]);
+  }
+  return both;
+}
+
 /// The pixels that the target or our picture covers.
 std::size_t counted_pixels(const Target& target, const Drawn& ours) {
   std::size_t count = 0;
@@ -49,7 +60,7 @@ Explained explained(const Explanation& e) {
   Explained result{{}, e.score};
   for (std::size_t i = 0; i < e.causes.size(); ++i) {
     const Hypothesis& h = *e.causes[i];
-    NamedCause cause{h.id, h.sentence(e.values[i]), {}};
+    NamedCause cause{h.id, h.sentence(e.values[i]), {}, h.rung};
     for (std::size_t p = 0; p < h.parameters.size(); ++p) {
       cause.numbers.push_back({h.parameters[p].name, e.values[i][p], h.parameters[p].start});
     }
@@ -63,6 +74,19 @@ std::optional<NamedCause> alpha_cause(const Case& given, const Facts& facts) {
   if (!given.expects_alpha || facts.has_alpha) return {};
   if (facts.alpha <= 0) return NamedCause{"alpha-zero", "an alpha of 0 everywhere", {}};
   return NamedCause{"alpha-opaque", "an alpha of 1 everywhere", {}};
+}
+
+/// White noise on our picture: seen from every pixel, as neighbours tell.
+std::optional<NamedCause> noise_cause(const Case& given, const Situation& situation) {
+  const Target target =
+      target_of(given.theirs, given.limited, 1LL * given.theirs.width * given.theirs.height);
+  const Drawer drawer(target.grid);
+  const std::optional<double> deviation =
+      white_noise(target, draw({target, situation.setup, drawer, 1}, {}));
+  if (!deviation) return {};
+  return NamedCause{"noise",
+                    fmt::format("noise with a standard deviation of {:.2g}", *deviation),
+                    {{"deviation", *deviation, 0}}};
 }
 
 /// What explains as well as the best: their scores differ by less than noise does.
@@ -94,6 +118,7 @@ Diagnosis diagnose(const Case& given) {
   }
   situation.negative = std::ranges::any_of(
       ours.colors, [](const Vec3d& c) { return std::min({c.x, c.y, c.z}) < 0; });
+  situation.seen = colors_of_both(target, ours);
   const std::vector<Hypothesis> all = hypotheses(situation);
   const Target coarse_target = target_of(given.theirs, given.limited, kMaxScreened);
   const Drawer coarse_drawer(coarse_target.grid);
@@ -101,7 +126,15 @@ Diagnosis diagnose(const Case& given) {
   const Problem coarse{coarse_target, situation.setup, coarse_drawer,
                        std::max<std::size_t>(problem.pixels / share, 1)};
   problem.coarse = &coarse;
-  const Found found = search(problem, all, given.progress);
+  Found found = search_singles(problem, all, given.progress);
+  if (found.accepted.empty()) {
+    if (const std::optional<NamedCause> noise = noise_cause(given, situation)) {
+      result.verdict = Diagnosis::Verdict::kNamed;
+      result.cause = {{*noise}, result.as_given};
+      return result;
+    }
+    found = search_pairs(problem, all, found, given.progress);
+  }
   if (!found.accepted.empty()) {
     result.verdict = Diagnosis::Verdict::kNamed;
     result.cause = explained(found.accepted.front());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/hypothesis.h"
 #include "diagnosis/score.h"
 #include "meshgen/knot_mesh.h"
 #include "system/progress.h"
@@ -34,6 +35,7 @@ struct NamedCause {
   std::string id;
   std::string sentence;  ///< with its numbers, to follow "is ours with "
   std::vector<NamedNumber> numbers;
+  Rung rung = Rung::kEncoding;
 };
 
 /// An explanation: one cause, or two that act together.

@@ -39,14 +39,15 @@ struct Hypothesis {
 
 /// What is known about a picture before anything is tried.
 struct Situation {
-  Setup setup;                   ///< the scene as given
-  std::optional<KnotSpec> knot;  ///< what the mesh was made from
-  ImageSpec asked;               ///< the scene's own size
-  bool negative = false;         ///< our picture has negative colours
-  bool eight_bits = false;       ///< a fact of their file, and no fault
-  bool soft_edges = false;       ///< some of their pixels are covered in part
-  double extent = 1;             ///< half the diagonal of the mesh's box, scene units
-  Vec3d centre;                  ///< of that box
+  Setup setup;                                ///< the scene as given
+  std::optional<KnotSpec> knot;               ///< what the mesh was made from
+  ImageSpec asked;                            ///< the scene's own size
+  std::vector<std::pair<Vec3d, Vec3d>> seen;  ///< our and their colours of pixels that both cover
+  bool negative = false;                      ///< our picture has negative colours
+  bool eight_bits = false;                    ///< a fact of their file, and no fault
+  bool soft_edges = false;                    ///< some of their pixels are covered in part
+  double extent = 1;                          ///< half the diagonal of the mesh's box, scene units
+  Vec3d centre;                               ///< of that box
 };
 
 /// The colour of one light.

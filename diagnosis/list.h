@@ -10,6 +10,6 @@
     CAUSE(untextured) \
   /* light */ CAUSE(lamp) CAUSE(falloff) CAUSE(extra_lamp) CAUSE(weights) CAUSE(model) \
     CAUSE(space) CAUSE(shadow) \
-  /* encoding */ CAUSE(gamma) CAUSE(exposure) CAUSE(hue) CAUSE(tone_curve) CAUSE(channels) \
-    CAUSE(range) CAUSE(coverage) CAUSE(sharpness)
+  /* encoding */ CAUSE(gamma) CAUSE(exposure) CAUSE(hue) CAUSE(primaries) CAUSE(tone_curve) \
+    CAUSE(channels) CAUSE(range) CAUSE(coverage) CAUSE(sharpness)
 // clang-format on

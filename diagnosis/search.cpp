@@ -68,21 +68,23 @@ class Search {
     masks_match_ = mask_mismatch(problem, ours) < kMatchingMasks;
   }
 
-  Found run() {
-    const std::vector<Explanation> singles = screened({}, kStarts, [&](const Hypothesis& h) {
+  Found singles() {
+    std::vector<Explanation> all = screened({}, kStarts, [&](const Hypothesis& h) {
       return !h.costly && (h.rung == Rung::kPlacement) != masks_match_;
     });
     report(0.1);
-    Found found = best_of(promising(singles), kRefined);
+    Found found = best_of(promising(all), kRefined);
+    found.screened = std::move(all);
     report(0.2);
-    if (found.accepted.empty()) {
-      const auto costly = [](const Hypothesis& h) { return h.costly; };
-      merge(found, best_of(screened({}, kStarts, costly), kRefined));
-    }
+    if (!found.accepted.empty()) return found;
+    const auto costly = [](const Hypothesis& h) { return h.costly; };
+    return with(std::move(found), best_of(screened({}, kStarts, costly), kRefined));
+  }
+
+  Found pairs(const Found& singles) {
     report(0.4);
-    if (found.accepted.empty())
-      merge(found, without_needless(best_of(pairs(singles), kRefinedPairs)));
-    return found;
+    return with(singles,
+                without_needless(best_of(promising_pairs(singles.screened), kRefinedPairs)));
   }
 
  private:
@@ -190,13 +192,29 @@ class Search {
     return tried;
   }
 
+  /// The same cause with numbers nearer to the scene's, where they explain as much: a mesh with
+  /// equal parts looks alike from several sides.
+  Explanation nearer_to_scene(Explanation e, int steps) const {
+    constexpr double kAsGood = 0.01;
+    if (e.causes.size() != 1 || e.causes.front()->starts.size() < 2) return e;
+    const Hypothesis& h = *e.causes.front();
+    const bool masks = h.rung == Rung::kPlacement && !masks_match_;
+    const std::vector<std::vector<double>> starts = starts_of(h);
+    for (std::size_t i = 0; i < std::min(kStarts, starts.size()); ++i) {
+      Explanation near = fit_of({e.causes, {starts[i]}, {}}, h, masks);
+      near = fitted(problem_, std::move(near), 1, steps);
+      if (near.score.value < e.score.value + kAsGood) return near;
+    }
+    return e;
+  }
+
   /// The best of `tried`, fitted to the end, sorted into accepted ones and the nearest.
   Found best_of(std::vector<Explanation> tried, std::size_t count) const {
     constexpr int kSteps = 25;
     Found found;
     for (Explanation& e : refined(std::move(tried), count, kSteps)) {
       if (accepts(e)) {
-        found.accepted.push_back(std::move(e));
+        found.accepted.push_back(nearer_to_scene(std::move(e), kSteps));
       } else if (!found.nearest) {
         found.nearest = std::move(e);
       }
@@ -227,15 +245,17 @@ class Search {
     return found;
   }
 
-  static void merge(Found& found, Found more) {
+  /// What a later search found where `found` accepted nothing.
+  static Found with(Found found, Found more) {
     found.accepted = std::move(more.accepted);
     if (!found.nearest || (more.nearest && cost_of(*more.nearest) < cost_of(*found.nearest))) {
       if (more.nearest) found.nearest = std::move(more.nearest);
     }
+    return found;
   }
 
   /// The most promising of the best single causes together with every other.
-  std::vector<Explanation> pairs(std::vector<Explanation> singles) const {
+  std::vector<Explanation> promising_pairs(std::vector<Explanation> singles) const {
     constexpr int kSteps = 6;
     std::ranges::stable_sort(singles, {}, [&](const Explanation& e) {
       return masks_match_ ? cost_of(e) : mask_distance(screening_, e);
@@ -261,9 +281,14 @@ class Search {
 
 }  // namespace
 
-Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
-             const Progress& progress) {
-  return Search(problem, hypotheses, progress).run();
+Found search_singles(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+                     const Progress& progress) {
+  return Search(problem, hypotheses, progress).singles();
+}
+
+Found search_pairs(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+                   const Found& singles, const Progress& progress) {
+  return Search(problem, hypotheses, progress).pairs(singles);
 }
 
 bool agrees(const Problem& problem, const Drawn& ours) {

@@ -10,11 +10,16 @@ namespace lumaknot::diagnosis {
 struct Found {
   std::vector<Explanation> accepted;
   std::optional<Explanation> nearest;  ///< the best of those that were not accepted
+  std::vector<Explanation> screened;   ///< every cause after a few steps on few pixels
 };
 
-/// All causes that alone, or else in pairs, explain the target.
-Found search(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
-             const Progress& progress = {});
+/// The causes that explain the target alone.
+Found search_singles(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+                     const Progress& progress = {});
+
+/// Those that do in pairs, begun with what `singles` saw.
+Found search_pairs(const Problem& problem, const std::vector<Hypothesis>& hypotheses,
+                   const Found& singles, const Progress& progress = {});
 
 /// Whether the scene as given already explains the target.
 bool agrees(const Problem& problem, const Drawn& ours);

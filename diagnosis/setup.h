@@ -5,7 +5,9 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "diagnosis/tone.h"
 #include "render/filter.h"
 #include "scene/shot.h"
 #include "scene/spec.h"
@@ -16,7 +18,7 @@ namespace lumaknot::diagnosis {
 enum class Sampling { kBilinear, kNearest, kMipmapped };
 
 /// A curve that each channel of a colour is sent through.
-enum class Curve { kNone, kEncodeSrgb, kDecodeSrgb, kReinhard, kAces };
+enum class Curve { kNone, kEncodeSrgb, kDecodeSrgb };
 
 /// What a curve makes of negative values, for which none is defined.
 enum class Below { kOdd, kZero, kStraight };  ///< mirrored, cut off, or the first slope continued
@@ -68,7 +70,11 @@ struct ColorUse {
   double contrast = 1;    ///< about 0.5
   double saturation = 1;  ///< 0: the grey of its luma
   double hue = 0;         ///< radians, about the grey axis of YIQ
-  double gamma = 1;       ///< the exponent of each channel is 1 / gamma
+  std::array<Vec3d, 3> primaries{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rows of a matrix
+  Tone tone = Tone::kNone;
+  ToneSpline spline;
+  std::vector<double> spline_values;  ///< of each channel; empty: none
+  double gamma = 1;                   ///< the exponent of each channel is 1 / gamma
   Curve curve = Curve::kNone;
   Below below = Below::kOdd;  ///< of gamma and curve
   std::array<std::size_t, 3> channels{0, 1, 2};

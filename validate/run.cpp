@@ -133,7 +133,22 @@ std::size_t telling_shot(const std::vector<Shot>& shots, const RendererResult& r
   return first;
 }
 
-/// The cause of a difference, from the picture that tells most.
+/// Nothing if the renderer drew no texture without light, so that its pictures don't tell.
+std::optional<FirstDifference> first_by_pictures(const std::vector<Shot>& shots,
+                                                 const RendererResult& result) {
+  if (result.first_difference == "coverage") return FirstDifference::kCoverage;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Judged& judged = result.shots[i];
+    if (shots[i].stage != Stage::kTexture) continue;
+    if (judged.drawn.status != RenderedShot::Status::kDrawn) return {};
+    return judged.comparison.outcome() == Outcome::kDiffered ? FirstDifference::kTexture
+                                                             : FirstDifference::kLight;
+  }
+  return {};
+}
+
+/// The cause of a difference, from the picture that tells most; it may be of a rung that no
+/// picture shows alone.
 void name_cause(const Ours& ours, const std::optional<KnotSpec>& knot, RendererResult& result) {
   if (result.first_difference.empty()) return;
   const std::size_t index = telling_shot(ours.shots, result);
@@ -141,6 +156,11 @@ void name_cause(const Ours& ours, const std::optional<KnotSpec>& knot, RendererR
   const RenderedShot& drawn = result.shots[index].drawn;
   const Shot& shot = drawn.instead ? *drawn.instead : ours.shots[index];
   Cause cause = find_cause(ours.reference.scene, knot, shot, drawn.image, result.rendering.limited);
+  if (const std::optional<FirstDifference> first = first_by_pictures(ours.shots, result)) {
+    prefer_by_rung(cause.diagnosis, *first);
+    const std::string rung = rung_of(cause.diagnosis, *first);
+    if (!rung.empty()) result.first_difference = rung;
+  }
   result.cause = cause_sentence(result.rendering.renderer, cause);
   result.found_cause = std::move(cause);
 }

@@ -44,7 +44,8 @@ struct RendererResult {
   long long coverage_unexplained = 0;  ///< of those
   ClassShare coverage_share;           ///< of the pixels whose coverage differs for a known reason
   std::string coverage_note;           ///< what the images' coverage is like, if it is odd
-  std::string first_difference;  ///< the first rung that differs, "coverage" or a shot; or empty
+  /// The first rung that differs: "placement", "coverage", "encoding" or a shot; or empty.
+  std::string first_difference;
   std::vector<ClassShare> explained;  ///< beyond what is allowed: the largest share of each class
   std::string cause;  ///< the cause of its first difference, a sentence; empty if it agrees
   std::optional<Cause> found_cause;  ///< the same with its numbers

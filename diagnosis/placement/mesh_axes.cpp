@@ -31,7 +31,7 @@ Hypothesis spun() {
           for (Vec3d& v : mesh.normals) turn(v);
         });
       });
-  for (int degrees = -165; degrees <= 180; degrees += 15) h.starts.push_back({double(degrees)});
+  for (int k = -29; k <= 30; ++k) h.starts.push_back({6.0 * k});
   return h;
 }
 

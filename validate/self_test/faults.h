@@ -19,9 +19,9 @@ struct PlantedNumber {
 };
 
 struct Fault {
-  std::string what;                ///< in words, for the table
-  std::vector<std::string> names;  ///< ids of diagnosis's causes: the first, and those that can't
-                                   ///< be told apart from it
+  std::string what;                  ///< in words, for the table
+  std::vector<std::string> names{};  ///< ids of diagnosis's causes: the first, and those that can't
+                                     ///< be told apart from it; empty: it must stay unknown
   std::vector<PlantedNumber> numbers{};  ///< of the first
   /// What is changed: the scene that is drawn, or else the finished picture. A scene's knot is
   /// given where it has one.

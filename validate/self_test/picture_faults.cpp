@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/tone.h"
+
 namespace lumaknot::validate {
 namespace {
 
@@ -69,6 +71,23 @@ Image blurred(const Image& image, double sigma) {
   return result;
 }
 
+/// Gaussian noise on what is covered.
+Image noisy(const Image& image, double deviation) {
+  Image result = image;
+  std::mt19937 random(1);
+  // Twelve uniform numbers: the same on every machine, as distributions of the library are not.
+  const auto normal = [&] {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += double(random()) / 4294967296.0;
+    return deviation * sum;
+  };
+  for (RgbaPixel& p : result.pixels) {
+    const Vec3d more{normal(), normal(), normal()};
+    if (p.coverage > 0) p.color = to_rgb(to_vec(p.color) + more);
+  }
+  return result;
+}
+
 void add_color_faults(std::vector<Fault>& all) {
   for (const double gamma : {2.2, 1.8, 0.4545}) {
     all.push_back({.what = "gamma",
@@ -124,6 +143,38 @@ void add_color_faults(std::vector<Fault>& all) {
   all.push_back({.what = "Reinhard's curve",
                  .names = {"tone-reinhard"},
                  .picture = of_channels([](double x) { return x / (1 + std::max(x, 0.0)); })});
+  struct Curve {
+    std::string id;
+    diagnosis::Tone tone;
+  };
+  for (const Curve& curve :
+       {Curve{"aces", diagnosis::Tone::kAces}, Curve{"aces-fitted", diagnosis::Tone::kAcesFitted},
+        Curve{"hable", diagnosis::Tone::kHable}, Curve{"neutral", diagnosis::Tone::kNeutral},
+        Curve{"agx", diagnosis::Tone::kAgx}, Curve{"cineon", diagnosis::Tone::kCineon}}) {
+    all.push_back({.what = "the tone curve " + curve.id,
+                   .names = {"tone-" + curve.id},
+                   .picture = of_colors(
+                       [tone = curve.tone](const Vec3d& c) { return diagnosis::toned(tone, c); })});
+  }
+  all.push_back({.what = "a tone curve that has no name",
+                 .names = {"tone-curve"},
+                 .picture = of_channels([](double x) {
+                   const double stops = std::log2(std::max(x, 0.0) / 0.18 + 0.02);
+                   return 1 / (1 + std::exp(-0.9 * stops));
+                 })});
+  all.push_back({.what = "colours in Rec. 2020",
+                 .names = {"primaries-rec2020"},
+                 .picture = of_colors([](const Vec3d& c) {
+                   // ITU-R BT.2087-0, table 4.
+                   return Vec3d{dot(Vec3d{0.6274, 0.3293, 0.0433}, c),
+                                dot(Vec3d{0.0691, 0.9195, 0.0114}, c),
+                                dot(Vec3d{0.0164, 0.0880, 0.8956}, c)};
+                 })});
+  for (const double deviation : {0.02, 0.1}) {
+    all.push_back({.what = "noise", .names = {"noise"}, .picture = [deviation](const Image& image) {
+                     return noisy(image, deviation);
+                   }});
+  }
   for (const int bits : {4, 5, 6}) {
     const double steps = (1 << bits) - 1;
     all.push_back({.what = std::to_string(bits) + " bits",
@@ -179,12 +230,56 @@ void add_place_faults(std::vector<Fault>& all) {
   }
 }
 
+/// Colours changed by where they are: x and y from the picture's centre, in halves of its height.
+template <class F>
+std::function<Image(const Image&)> by_place(F change) {
+  return [change](const Image& image) {
+    Image result = image;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        RgbaPixel& p = result.at(x, y);
+        if (p.coverage <= 0) continue;
+        p.color = to_rgb(change(to_vec(p.color), (2 * x + 1.0 - image.width) / image.height,
+                                (2 * y + 1.0 - image.height) / image.height));
+      }
+    }
+    return result;
+  };
+}
+
+/// What no cause describes.
+void add_foreign_faults(std::vector<Fault>& all) {
+  all.push_back({.what = "vignetting", .picture = by_place([](Vec3d c, double x, double y) {
+                                         return c / std::pow(1 + 0.3 * (x * x + y * y), 2);
+                                       })});
+  all.push_back({.what = "a gradient from left to right",
+                 .picture = by_place([](Vec3d c, double x, double) { return c * (1 + 0.2 * x); })});
+  all.push_back({.what = "sharpened", .picture = [](const Image& image) {
+                   Image result = blurred(image, 1);
+                   for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+                     RgbaPixel& p = result.pixels[i];
+                     p.color = to_rgb(to_vec(image.pixels[i].color) * 1.8 - to_vec(p.color) * 0.8);
+                     p.coverage = image.pixels[i].coverage;
+                   }
+                   return result;
+                 }});
+  all.push_back({.what = "every other line darker", .picture = [](const Image& image) {
+                   Image result = image;
+                   for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+                     if (i / std::size_t(image.width) % 2 == 0) continue;
+                     result.pixels[i].color = to_rgb(to_vec(result.pixels[i].color) * 0.9);
+                   }
+                   return result;
+                 }});
+}
+
 }  // namespace
 
 std::vector<Fault> picture_faults() {
   std::vector<Fault> all;
   add_color_faults(all);
   add_place_faults(all);
+  add_foreign_faults(all);
   return all;
 }
 
