@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/diagnosis/small_case.h"
 
@@ -67,6 +68,36 @@ TEST(Diagnose, names_gamma_with_its_value) {
   EXPECT_THAT(ids(d), ::testing::ElementsAre("gamma"));
   EXPECT_NEAR(value_of(d, 0, "gamma"), 2.2, 1e-5);
   EXPECT_THAT(sentence_of(d), HasSubstr("gamma 2.2"));
+}
+
+TEST(Diagnose, names_a_tone_curve) {
+  const Scene scene = small_case();
+  Image theirs = own_picture(scene);
+  for (RgbaPixel& p : theirs.pixels) p.color = to_rgb(toned(Tone::kAgx, to_vec(p.color)));
+  const Diagnosis d = diagnosis_of(scene, theirs);
+  ASSERT_EQ(d.verdict, Verdict::kNamed);
+  EXPECT_THAT(ids(d), ::testing::ElementsAre("tone-agx"));
+}
+
+TEST(Diagnose, finds_a_tone_curve_that_has_no_name) {
+  const Scene scene = small_case();
+  const Diagnosis d = diagnosis_of(scene, changed(own_picture(scene), [](double v) {
+                                     return std::tanh(1.3 * v) + 0.05 * std::sin(3 * v);
+                                   }));
+  ASSERT_EQ(d.verdict, Verdict::kNamed);
+  EXPECT_THAT(ids(d), ::testing::ElementsAre("tone-curve"));
+  EXPECT_THAT(sentence_of(d), HasSubstr("makes 0.18"));
+}
+
+TEST(Diagnose, names_noise_with_its_deviation) {
+  const Scene scene = small_case();
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0, 0.04);
+  const Diagnosis d = diagnosis_of(
+      scene, changed(own_picture(scene), [&](double v) { return v + normal(random); }));
+  ASSERT_EQ(d.verdict, Verdict::kNamed);
+  EXPECT_THAT(ids(d), ::testing::ElementsAre("noise"));
+  EXPECT_NEAR(value_of(d, 0, "deviation"), 0.04, 2e-3);  // of some 5,000 values
 }
 
 TEST(Diagnose, names_gamma_in_eight_bits) {
