@@ -29,15 +29,20 @@ struct Correlation {
 /// One channel of the difference.
 class Residual {
  public:
-  Residual(const Target& theirs, const Drawn& ours, std::size_t channel)
-      : theirs_(theirs), ours_(ours), channel_(channel) {}
+  /// Without what noise of `margin` may have taken beyond the picture's limits.
+  Residual(const Target& theirs, const Drawn& ours, std::size_t channel, double margin)
+      : theirs_(theirs),
+        ours_(ours),
+        channel_(channel),
+        margin_(theirs.facts.limited ? margin : -1e300) {}
 
   int columns() const { return theirs_.grid.columns; }
   int rows() const { return theirs_.grid.rows; }
   bool has(int x, int y) const {
     if (x < 0 || y < 0 || x >= columns() || y >= rows()) return false;
     const std::size_t i = index(x, y);
-    return ours_.coverage[i] >= 1 && theirs_.coverage[i] >= 1;
+    if (ours_.coverage[i] < 1 || theirs_.coverage[i] < 1) return false;
+    return our(x, y) >= margin_ && our(x, y) <= 1 - margin_;
   }
   double at(int x, int y) const {
     return components(theirs_.colors[index(x, y)])[channel_] - our(x, y);
@@ -51,6 +56,7 @@ class Residual {
   const Target& theirs_;
   const Drawn& ours_;
   std::size_t channel_;
+  double margin_;
 };
 
 template <class F>
@@ -97,29 +103,49 @@ bool blocks_differ(const Residual& r, double variance) {
   return sum > kMaxBlocks * blocks;
 }
 
+/// How one channel's differences are spread.
+struct Spread {
+  std::size_t count = 0;
+  double variance = 0, median = 0;
+  double deviation() const { return std::sqrt(variance); }
+};
+
+Spread spread_of(const Residual& r) {
+  std::vector<double> values;
+  double sum = 0;
+  each_pixel(r, [&](int x, int y) {
+    values.push_back(r.at(x, y));
+    sum += values.back() * values.back();
+  });
+  if (values.empty()) return {};
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return {values.size(), sum / double(values.size()), *middle};
+}
+
+/// The variance of one channel's noise.
+std::optional<double> white_variance(const Target& theirs, const Drawn& ours, std::size_t channel) {
+  constexpr double kMargin = 3;  // deviations
+  const double everywhere = spread_of({theirs, ours, channel, 0}).deviation();
+  const Residual r(theirs, ours, channel, kMargin * everywhere);
+  const Spread spread = spread_of(r);
+  if (spread.count < kMinPixels || spread.deviation() < kMinNoise * theirs.facts.noise) return {};
+  if (std::abs(spread.median) > kMaxMedian * spread.deviation()) return {};
+  if (neighbours_correlate(r) || follows_gradient(r)) return {};
+  if (blocks_differ(r, spread.variance)) return {};
+  return spread.variance;
+}
+
 }  // namespace
 
 std::optional<double> white_noise(const Target& theirs, const Drawn& ours) {
-  double all = 0;
+  double sum = 0;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const Residual r(theirs, ours, channel);
-    std::vector<double> values;
-    double sum = 0;
-    each_pixel(r, [&](int x, int y) {
-      values.push_back(r.at(x, y));
-      sum += values.back() * values.back();
-    });
-    if (values.size() < kMinPixels) return {};
-    const double variance = sum / double(values.size());
-    const double deviation = std::sqrt(variance);
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    if (deviation < kMinNoise * theirs.facts.noise) return {};
-    if (std::abs(*middle) > kMaxMedian * deviation) return {};
-    if (neighbours_correlate(r) || follows_gradient(r) || blocks_differ(r, variance)) return {};
-    all += variance / 3;
+    const std::optional<double> variance = white_variance(theirs, ours, channel);
+    if (!variance) return {};
+    sum += *variance;
   }
-  return std::sqrt(all);
+  return std::sqrt(sum / 3);
 }
 
 }  // namespace lumaknot::diagnosis

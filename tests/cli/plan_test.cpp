@@ -57,7 +57,8 @@ TEST_F(PlanCommand, writes_a_scene_that_the_reported_command_draws) {
   const std::string planned = lumaknot(quick()).log;
   std::vector<std::string> arguments{"render", "out/scene.json"};
   // Which words these are depends on what was measured to be fast: with sanitizers, often none.
-  for (const auto& word : certificate()["render_arguments"]) arguments.push_back(word);
+  const nlohmann::json words = certificate()["render_arguments"];
+  for (const auto& word : words) arguments.push_back(word);
   arguments.insert(arguments.end(), {"-o", "planned.png"});
   EXPECT_THAT(planned, HasSubstr(fmt::format("draw it: lumaknot {}\n", fmt::join(arguments, " "))));
   const ProcessResult result = lumaknot(arguments);
