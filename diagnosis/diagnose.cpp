@@ -11,7 +11,7 @@
 namespace lumaknot::diagnosis {
 namespace {
 
-constexpr long long kMaxPixels = 24'000;   // compared: more say nothing new
+constexpr long long kMaxPixels = 13'000;   // compared: more say nothing new
 constexpr long long kMaxScreened = 6'000;  // to find out which causes are worth a closer look
 
 Situation situation_of(const Case& given, const Facts& facts) {

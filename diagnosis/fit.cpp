@@ -70,11 +70,10 @@ Residuals mask_residuals(const Target& target, const Values& coverage, int radiu
   return r;
 }
 
-/// The scale above which an error counts less: what three quarters of the pixels keep below. Half
-/// would be too few, as half of a picture is often too flat to say where it is.
-double robust_scale(const Residuals& r, double noise, std::size_t pixels) {
+/// The scale above which an error counts less: what all but a share of the pixels keep below.
+double robust_scale(const Residuals& r, double noise, std::size_t pixels, double share) {
   Values errors = r.errors;
-  const std::size_t above = std::min(errors.size() - 1, pixels / 4);
+  const std::size_t above = std::min(errors.size() - 1, std::size_t(share * double(pixels)));
   const auto at = errors.end() - 1 - std::ptrdiff_t(above);
   std::ranges::nth_element(errors, at);
   return std::max(noise, *at);
@@ -85,6 +84,11 @@ double robust_sum(const Residuals& r, double scale) {
   for (const double error : r.errors) sum += std::log1p(error * error / (scale * scale));
   return std::isfinite(sum) ? sum : 1e300;
 }
+
+/// The shares that robust_scale() leaves out, one after the other. Half would be too much, as half
+/// of a picture is often too flat to say where it is; and where all but a texture's edges fits,
+/// only these say what is left.
+constexpr std::array<double, 2> kOutliers{0.25, 0.03};
 
 /// One place in the values of the free causes.
 struct Unknown {
@@ -128,8 +132,14 @@ class Fit {
 
   /// Takes a Gauss-Newton step, or a part of it, if that lowers the robust sum.
   bool improve() {
-    const double scale = robust_scale(here_, floor(), problem_.pixels);
-    const Values move = direction(here_, scale);
+    const std::vector<Residuals> columns = derivatives(here_);
+    return std::ranges::any_of(kOutliers, [&](double share) {
+      return improve(columns, robust_scale(here_, floor(), problem_.pixels, share));
+    });
+  }
+
+  bool improve(const std::vector<Residuals>& columns, double scale) {
+    const Values move = direction(columns, scale);
     const double before = robust_sum(here_, scale);
     for (const double part : {1.0, 0.25}) {
       Explanation next = moved(move, part);
@@ -171,12 +181,22 @@ class Fit {
     return columns;
   }
 
+  /// Whether a pixel of colours is covered for one value and not for another: its slope says
+  /// nothing then.
+  bool is_outline(const std::vector<Residuals>& columns, std::size_t i) const {
+    if (mask_radius_ > 0) return false;
+    constexpr std::size_t kCoverage = 3;
+    return std::ranges::any_of(
+        columns, [&](const Residuals& r) { return r.values[r.channels * i + kCoverage] != 0; });
+  }
+
   /// The Gauss-Newton step, in steps of the parameters.
-  Values direction(const Residuals& here, double scale) const {
-    const std::vector<Residuals> columns = derivatives(here);
+  Values direction(const std::vector<Residuals>& columns, double scale) const {
+    const Residuals& here = here_;
     const std::size_t n = columns.size();
     Values a(n * n, 0.0), b(n, 0.0);
     for (std::size_t i = 0; i < here.errors.size(); ++i) {
+      if (is_outline(columns, i)) continue;
       const double ratio = here.errors[i] / scale;
       const double weight = 1 / (1 + ratio * ratio);
       for (std::size_t c = here.channels * i; c < here.channels * (i + 1); ++c) {

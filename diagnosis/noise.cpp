@@ -7,7 +7,7 @@
 namespace lumaknot::diagnosis {
 namespace {
 
-constexpr std::size_t kMinPixels = 500;
+constexpr std::size_t kMinPixels = 300;
 constexpr double kMinNoise = 1.5;          // times the noise that says nothing
 constexpr double kMaxNeighbours = 0.06;    // correlation of neighbours
 constexpr double kMaxMedian = 0.1;         // of the deviation
@@ -23,6 +23,11 @@ struct Correlation {
   double value() const {
     const double vx = xx - x * x / n, vy = yy - y * y / n;
     return n > 2 && vx > 0 && vy > 0 ? (xy - x * y / n) / std::sqrt(vx * vy) : 0;
+  }
+  /// Above `limit` by more than chance: of n independent pairs its standard error is 1 / sqrt(n).
+  bool exceeds(double limit) const {
+    constexpr double kErrors = 2;
+    return std::abs(value()) > limit + kErrors / std::sqrt(std::max(n, 1.0));
   }
 };
 
@@ -74,7 +79,7 @@ bool neighbours_correlate(const Residual& r) {
     if (r.has(x + 1, y)) across.add(r.at(x, y), r.at(x + 1, y));
     if (r.has(x, y + 1)) down.add(r.at(x, y), r.at(x, y + 1));
   });
-  return std::max(std::abs(across.value()), std::abs(down.value())) > kMaxNeighbours;
+  return across.exceeds(kMaxNeighbours) || down.exceeds(kMaxNeighbours);
 }
 
 bool follows_gradient(const Residual& r) {
@@ -85,7 +90,7 @@ bool follows_gradient(const Residual& r) {
         std::hypot(r.our(x + 1, y) - r.our(x - 1, y), r.our(x, y + 1) - r.our(x, y - 1));
     with.add(std::abs(r.at(x, y)), gradient);
   });
-  return with.value() > kMaxWithGradient;
+  return with.exceeds(kMaxWithGradient);
 }
 
 bool blocks_differ(const Residual& r, double variance) {
@@ -125,7 +130,7 @@ Spread spread_of(const Residual& r) {
 
 /// The variance of one channel's noise.
 std::optional<double> white_variance(const Target& theirs, const Drawn& ours, std::size_t channel) {
-  constexpr double kMargin = 3;  // deviations
+  constexpr double kMargin = 2;  // deviations: beyond, the mean is less than a hundredth off
   const double everywhere = spread_of({theirs, ours, channel, 0}).deviation();
   const Residual r(theirs, ours, channel, kMargin * everywhere);
   const Spread spread = spread_of(r);

@@ -18,6 +18,7 @@ constexpr double kPerNumber = 0.006;        // the price of a number
 constexpr double kSpecialBonus = 0.018;     // of a named special case
 constexpr double kMinFall = 0.5;            // of the score above the floor, or nobody is accused
 constexpr double kMatchingMasks = 0.002;    // of the pixels, at most: placement is not to blame
+constexpr int kMaskSteps = 6;               // of a fit of masks
 constexpr std::size_t kRefined = 8;         // hypotheses that are fitted to the end
 constexpr std::size_t kSearchedAround = 3;  // of them, where a gradient is lost
 constexpr std::size_t kStarts = 3;          // of each, that are followed
@@ -139,7 +140,7 @@ class Search {
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {
-    constexpr int kScreenSteps = 3, kMaskSteps = 6, kJointSteps = 6;
+    constexpr int kScreenSteps = 3, kJointSteps = 6;
     if (!masks) {
       const bool alone = start.causes.size() == 1;
       return fitted(screening_, start, start.causes.size(), alone ? kScreenSteps : kJointSteps);
@@ -183,6 +184,10 @@ class Search {
     tried.resize(std::min(tried.size(), count));
     oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
       const std::size_t free = tried[i].causes.size();
+      const bool places = tried[i].causes.front()->rung == Rung::kPlacement;
+      if (places && !masks_match_) {
+        tried[i] = fitted(problem_, std::move(tried[i]), free, kMaskSteps, true);
+      }
       tried[i] = fitted(problem_, std::move(tried[i]), free, steps);
       if (tried[i].score.explained > kExplained || i >= kSearchedAround) return;
       tried[i] = searched_around(problem_, std::move(tried[i]));

@@ -26,7 +26,6 @@ namespace {
 constexpr long long kMaxTexels = 1LL << 28;
 constexpr int kSmall = 6;  // zlib's usual level
 constexpr int kFast = 2;   // a report holds dozens of pictures
-constexpr int kSmallest = 9;
 
 /// Standard error closed for a while: libpng writes there what our own messages say.
 class QuietStandardError {
@@ -223,7 +222,7 @@ std::string display_png(const Image& image) {
 
 std::string smallest_png(int width, int height, int channels,
                          std::span<const std::uint8_t> samples) {
-  return image_codec().encode_png8({width, height, channels}, samples, kSmallest);
+  return image_codec().encode_png8({width, height, channels}, samples, kSmall);
 }
 
 void check_image_extension(const std::filesystem::path& path, std::string_view flag) {

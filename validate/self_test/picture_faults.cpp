@@ -204,7 +204,7 @@ void add_place_faults(std::vector<Fault>& all) {
   for (const int by : {1, 3}) {
     all.push_back(
         {.what = "moved by whole pixels",
-         .names = {"shift"},
+         .names = {"shift", "shift-resampled"},
          .numbers = {{"x", double(by)}, {"y", 0}},
          .picture = of_places([by](int x, int y, int, int) { return Pixel{x - by, y}; })});
   }
