@@ -186,8 +186,9 @@ class Fit {
   bool is_outline(const std::vector<Residuals>& columns, std::size_t i) const {
     if (mask_radius_ > 0) return false;
     constexpr std::size_t kCoverage = 3;
-    return std::ranges::any_of(
-        columns, [&](const Residuals& r) { return r.values[r.channels * i + kCoverage] != 0; });
+    return std::ranges::any_of(columns, [&](const Residuals& r) {
+      return share_ * std::abs(r.values[r.channels * i + kCoverage]) > 0.5;
+    });
   }
 
   /// The Gauss-Newton step, in steps of the parameters.

@@ -8,9 +8,11 @@ namespace lumaknot::diagnosis {
 namespace {
 
 constexpr std::size_t kMinPixels = 300;
-constexpr double kMinNoise = 1.5;          // times the noise that says nothing
-constexpr double kMaxNeighbours = 0.06;    // correlation of neighbours
-constexpr double kMaxMedian = 0.1;         // of the deviation
+constexpr double kMinNoise = 1.5;        // times the noise that says nothing
+constexpr double kMaxNeighbours = 0.06;  // correlation of neighbours
+constexpr double kMaxMedian = 0.1;       // of the deviation
+constexpr double kMinMedianSize =
+    0.4;  // of the deviation; 0.67 if normal: few pixels alone are no noise
 constexpr double kMaxWithGradient = 0.15;  // correlation of errors with the picture's gradient
 constexpr int kBlock = 8;
 constexpr double kMaxBlocks = 1.6;  // variance of blocks' means over that of noise
@@ -108,10 +110,16 @@ bool blocks_differ(const Residual& r, double variance) {
   return sum > kMaxBlocks * blocks;
 }
 
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 /// How one channel's differences are spread.
 struct Spread {
   std::size_t count = 0;
-  double variance = 0, median = 0;
+  double variance = 0, median = 0, median_size = 0;
   double deviation() const { return std::sqrt(variance); }
 };
 
@@ -123,9 +131,10 @@ Spread spread_of(const Residual& r) {
     sum += values.back() * values.back();
   });
   if (values.empty()) return {};
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return {values.size(), sum / double(values.size()), *middle};
+  Spread spread{values.size(), sum / double(values.size()), median_of(values), 0};
+  for (double& value : values) value = std::abs(value);
+  spread.median_size = median_of(values);
+  return spread;
 }
 
 /// The variance of one channel's noise.
@@ -136,6 +145,7 @@ std::optional<double> white_variance(const Target& theirs, const Drawn& ours, st
   const Spread spread = spread_of(r);
   if (spread.count < kMinPixels || spread.deviation() < kMinNoise * theirs.facts.noise) return {};
   if (std::abs(spread.median) > kMaxMedian * spread.deviation()) return {};
+  if (spread.median_size < kMinMedianSize * spread.deviation()) return {};
   if (neighbours_correlate(r) || follows_gradient(r)) return {};
   if (blocks_differ(r, spread.variance)) return {};
   return spread.variance;
