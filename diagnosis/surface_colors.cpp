@@ -6,17 +6,15 @@
 
 #include "diagnosis/shadows.h"
 #include "diagnosis/texturing.h"
+#include "render/triangle.h"
 #include "shaders/formulas/lighting.h"
 
 namespace lumaknot::diagnosis {
 namespace {
 
 Vec3d flat_normal(const TriangleMesh& mesh, const Fragment& f) {
-  const Triangle& t = mesh.triangles[std::size_t(f.triangle)];
-  const Vec3d normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                             mesh.positions[t[2]] - mesh.positions[t[0]]);
-  const double size = length(normal);
-  return size > 0 ? normal / size : f.normal;
+  const Vec3d normal = triangle_normal(mesh, mesh.triangles[std::size_t(f.triangle)]);
+  return normal == Vec3d{} ? f.normal : normal;
 }
 
 /// The light that reaches the eye from each fragment.

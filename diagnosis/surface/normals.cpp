@@ -2,6 +2,7 @@
 #include <map>
 
 #include "diagnosis/cause.h"
+#include "render/triangle.h"
 
 namespace lumaknot::diagnosis {
 
@@ -12,8 +13,7 @@ void smooth(TriangleMesh& mesh) {
   const auto key = [](const Vec3d& p) { return std::array{p.x, p.y, p.z}; };
   std::map<std::array<double, 3>, Vec3d> sums;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3d area = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                             mesh.positions[t[2]] - mesh.positions[t[0]]);
+    const Vec3d area = area_vector(mesh, t);
     for (const std::uint32_t v : t) {
       Vec3d& sum = sums[key(mesh.positions[v])];
       sum = sum + area;

@@ -6,22 +6,19 @@
 #include <vector>
 
 #include "render/projection.h"
+#include "render/triangle.h"
 
 namespace lumaknot::validate {
 namespace {
 
-Vec3d triangle_normal(const TriangleMesh& mesh, const Fragment& fragment) {
-  const Triangle& t = mesh.triangles[std::size_t(fragment.triangle)];
-  const Vec3d normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                             mesh.positions[t[2]] - mesh.positions[t[0]]);
-  const double size = length(normal);
-  return size > 0 ? normal / size : normal;
+Vec3d normal_of(const TriangleMesh& mesh, const Fragment& fragment) {
+  return triangle_normal(mesh, mesh.triangles[std::size_t(fragment.triangle)]);
 }
 
 bool one_sheet(const TriangleMesh& mesh, const Fragment& a, const Fragment& b, double tolerance) {
   const Vec3d apart = b.position - a.position;
-  return std::abs(dot(triangle_normal(mesh, a), apart)) <= tolerance ||
-         std::abs(dot(triangle_normal(mesh, b), apart)) <= tolerance;
+  return std::abs(dot(normal_of(mesh, a), apart)) <= tolerance ||
+         std::abs(dot(normal_of(mesh, b), apart)) <= tolerance;
 }
 
 bool at_silhouette(const Scene& scene, const Grid<Fragment>& fragments, double pixel_width, int x,

@@ -1,12 +1,10 @@
-/// Faults planted in finished pictures, and what plants others.
+/// What plants faults that several lists have.
 #pragma once
 
 #include "scene/triangle_mesh.h"
 #include "validate/self_test/faults.h"
 
 namespace lumaknot::validate {
-
-std::vector<Fault> picture_faults();
 
 /// Every triangle with three vertices of its own and its own normal.
 TriangleMesh with_flat_normals(const TriangleMesh& mesh);
