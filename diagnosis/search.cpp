@@ -23,7 +23,8 @@ constexpr std::size_t kRefined = 8;         // hypotheses that are fitted to the
 constexpr std::size_t kSearchedAround = 3;  // of them, where a gradient is lost
 constexpr std::size_t kStarts = 3;          // of each, that are followed
 constexpr std::size_t kFirstOfPairs = 8;    // single causes that others are added to
-constexpr std::size_t kPromisingPairs = 24;
+constexpr std::size_t kFollowedPairs = 100;
+constexpr std::size_t kPromisingPairs = 16;
 constexpr std::size_t kRefinedPairs = 5;
 
 /// The score of a picture that is right but for how its values are stored.
@@ -78,8 +79,10 @@ class Search {
     found.screened = std::move(all);
     report(0.2);
     if (!found.accepted.empty()) return found;
-    const auto costly = [](const Hypothesis& h) { return h.costly; };
-    return with(std::move(found), best_of(screened({}, kStarts, costly), kRefined));
+    std::vector<Explanation> costly =
+        screened({}, kStarts, [](const Hypothesis& h) { return h.costly; });
+    if (is_small()) found.screened.push_back(*std::ranges::min_element(costly, {}, cost_of));
+    return with(std::move(found), best_of(std::move(costly), kRefined));
   }
 
   Found pairs(const Found& singles) {
@@ -140,7 +143,7 @@ class Search {
   }
 
   Explanation fit_of(const Explanation& start, const Hypothesis& h, bool masks) const {
-    constexpr int kScreenSteps = 3, kJointSteps = 6;
+    constexpr int kScreenSteps = 3, kJointSteps = 2;
     if (!masks) {
       const bool alone = start.causes.size() == 1;
       return fitted(screening_, start, start.causes.size(), alone ? kScreenSteps : kJointSteps);
@@ -173,6 +176,19 @@ class Search {
     std::vector<Explanation> tried(chosen.size());
     oneapi::tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
       tried[i] = screen(first, *chosen[i], max_starts);
+    });
+    return tried;
+  }
+
+  /// The `count` best of `tried`, fitted by some more steps.
+  static std::vector<Explanation> fitted_best(const Problem& problem,
+                                              std::vector<Explanation> tried, std::size_t count,
+                                              int steps) {
+    std::ranges::stable_sort(tried, {}, cost_of);
+    tried.resize(std::min(tried.size(), count));
+    oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t i) {
+      const std::size_t free = tried[i].causes.size();
+      tried[i] = fitted(problem, std::move(tried[i]), free, steps);
     });
     return tried;
   }
@@ -261,7 +277,7 @@ class Search {
 
   /// The most promising of the best single causes together with every other.
   std::vector<Explanation> promising_pairs(std::vector<Explanation> singles) const {
-    constexpr int kSteps = 6;
+    constexpr int kFollowSteps = 4, kSteps = 6;
     std::ranges::stable_sort(singles, {}, [&](const Explanation& e) {
       return masks_match_ ? cost_of(e) : mask_distance(screening_, e);
     });
@@ -273,7 +289,15 @@ class Search {
         tried.push_back(std::move(e));
       }
     }
+    tried = fitted_best(screening_, std::move(tried), kFollowedPairs, kFollowSteps);
     return refined(std::move(tried), kPromisingPairs, kSteps);
+  }
+
+  /// Whether its finished picture is drawn fast enough to try it with every other cause.
+  bool is_small() const {
+    constexpr long long kMaxFinished = 32'000;
+    const PixelGrid& grid = problem_.target.grid;
+    return 1LL * grid.width * grid.height <= kMaxFinished;
   }
 
   const Progress& progress_;

@@ -27,6 +27,9 @@ struct Fault {
   /// given where it has one.
   std::function<void(Scene&, const KnotSpec*)> scene{};
   std::function<Image(const Image&)> picture{};
+
+  /// The cause's id; what no cause describes must stay "unknown".
+  std::string expected() const { return names.empty() ? "unknown" : names.front(); }
 };
 
 /// All of them that change something in `scene`.

@@ -26,7 +26,8 @@ std::string self_test_markdown(const SelfTest& test) {
   std::string text = fmt::format(
       "| | |\n|---|---|\n"
       "| pictures with a planted fault | {} |\n| of those that change some pixel | {} |\n"
-      "| noticed | {} |\n| named with its numbers, or unknown where no cause describes it | {} |\n| unknown | {} |\n"
+      "| noticed | {} |\n| named with its numbers, or unknown where no cause describes it | {} "
+      "|\n| unknown | {} |\n"
       "| named wrongly | {} |\n| unaltered pictures | {} |\n| of those accused | {} |\n\n"
       "| drawn by | values | planted | noticed | named |\n|---|---|---|---|---|\n",
       test.planted, test.planted - test.unseen, test.noticed, test.right, test.unknown, test.wrong,

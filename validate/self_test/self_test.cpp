@@ -64,11 +64,6 @@ bool is_right(const diagnosis::Diagnosis& d, const Fault& fault) {
   return is_named && (right(d.cause) || std::ranges::any_of(d.equivalents, right));
 }
 
-/// The cause's id; what no cause describes must stay unknown.
-std::string expected_of(const Fault& fault) {
-  return fault.names.empty() ? "unknown" : fault.names.front();
-}
-
 /// One self-test.
 class Planting {
  public:
@@ -81,7 +76,7 @@ class Planting {
         own_(shade_all(job.scene, shot_, fragments_)),
         faults_(planted_faults(job.scene, knot())) {
     std::erase_if(faults_, [&](const Fault& f) {
-      return !job.only.empty() && std::ranges::count(job.only, expected_of(f)) == 0;
+      return !job.only.empty() && std::ranges::count(job.only, f.expected()) == 0;
     });
   }
 
@@ -146,7 +141,7 @@ class Planting {
     if (!is_as_asked) {
       test_.results.push_back({.fault = fault ? fault->what : "",
                                .drawn_by = name,
-                               .expected = fault ? expected_of(*fault) : "",
+                               .expected = fault ? fault->expected() : "",
                                .why = result.why.empty() ? "drawn otherwise" : result.why});
     } else if (fault) {
       judge(*fault, name, result.image, rendering.limited);
@@ -205,7 +200,7 @@ class Planting {
     PlantedResult result{.fault = fault.what,
                          .drawn_by = renderer,
                          .values = limited ? "8 bits" : "float",
-                         .expected = expected_of(fault),
+                         .expected = fault.expected(),
                          .named = {},
                          .sentence = {}};
     ++test_.planted;
