@@ -70,6 +70,20 @@ TEST(Diagnose, names_gamma_with_its_value) {
   EXPECT_THAT(sentence_of(d), HasSubstr("gamma 2.2"));
 }
 
+TEST(Diagnose, finds_where_a_picture_was_cut_out) {
+  const Scene scene = small_case();
+  const Image own = own_picture(scene);
+  Image theirs(70, 50);
+  for (int y = 0; y < theirs.height; ++y) {
+    for (int x = 0; x < theirs.width; ++x) theirs.at(x, y) = own.at(x + 17, y + 5);
+  }
+  const Diagnosis d = diagnosis_of(scene, theirs);
+  ASSERT_EQ(d.verdict, Verdict::kNamed);
+  EXPECT_THAT(ids(d), ::testing::ElementsAre("size-cut"));
+  EXPECT_NEAR(value_of(d, 0, "left"), 17, 1e-3);
+  EXPECT_NEAR(value_of(d, 0, "top"), 5, 1e-3);
+}
+
 TEST(Diagnose, names_a_tone_curve) {
   const Scene scene = small_case();
   Image theirs = own_picture(scene);
