@@ -12,6 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kVerdictNames{"agrees", "named", "unknown"};
+constexpr std::array<std::string_view, 5> kRungNames{"placement", "surface", "texture", "light",
+                                                     "encoding"};
 constexpr std::array<std::string_view, 4> kDepthNames{"float", "half", "16 bits", "8 bits"};
 
 Json score_json(const Score& score) {
@@ -28,7 +30,10 @@ Json causes_json(const Explained& explained) {
     for (const NamedNumber& n : cause.numbers) {
       numbers[n.name] = {{"value", n.value}, {"scene", n.scene}};
     }
-    causes.push_back({{"id", cause.id}, {"cause", cause.sentence}, {"numbers", numbers}});
+    causes.push_back({{"id", cause.id},
+                      {"rung", kRungNames[std::size_t(cause.rung)]},
+                      {"cause", cause.sentence},
+                      {"numbers", numbers}});
   }
   return causes;
 }
