@@ -19,7 +19,8 @@ enum class ShotShaders {
 /// NAME.py with NAME.mesh.bin and, unless the texture is a plain colour, the images that the shots
 /// read: NAME.texture.png and, for each space that it is baked in, NAME.SPACE.axes.exr. One
 /// material per shot. Run as `blender --python NAME.py`; after `--` it takes --engine cycles|eevee,
-/// --render SHOT=FILE.exr and --save FILE.blend. Throws Error for a shot that Blender can't draw.
+/// --render SHOT=FILE.exr, --save FILE.blend, and for random samples in Cycles --samples N, --seed
+/// N and --denoise. Throws Error for a shot that Blender can't draw.
 Package blender_package(const Scene& scene, std::span<const Shot> shots, const std::string& name,
                         ShotShaders shaders = ShotShaders::kNodes);
 

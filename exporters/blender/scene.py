@@ -238,18 +238,29 @@ def set_output(scene, size):
     view.view_transform, view.look, view.exposure, view.gamma = "Raw", "None", 0, 1
 
 
-def set_cycles(scene):
-    """One ray through the centre of each pixel, and nothing else.
+def check_denoiser():
+    """Ends the program unless Cycles can denoise: Debian builds it without."""
+    if not getattr(__import__("_cycles"), "with_openimagedenoise", False):
+        raise SystemExit("this Blender is built without OpenImageDenoise")
+
+
+def set_cycles(scene, samples, seed, denoise):
+    """`samples` random rays per pixel through the filter that Blender sets; with 0 of
+    them one ray through the centre of each pixel, and nothing else.
 
     Cycles gives its box filter the width of a pixel whatever filter_width says, and
     its table of filter offsets is off by 1/2048 of the width: half a thousandth of a
     pixel, enough to change coverage. Blackman-Harris obeys filter_width.
     """
-    set_known(scene.cycles, device="CPU", samples=1, use_adaptive_sampling=False,
-              use_denoising=False, pixel_filter_type="BLACKMAN_HARRIS", filter_width=0.01,
+    set_known(scene.cycles, device="CPU", samples=samples or 1, seed=seed,
+              use_adaptive_sampling=False, use_denoising=denoise,
+              pixel_filter_type="BLACKMAN_HARRIS", filter_width=1.5 if samples else 0.01,
               max_bounces=0, diffuse_bounces=0, glossy_bounces=0, volume_bounces=0,
               transmission_bounces=0, transparent_max_bounces=0, use_light_tree=False,
               sample_clamp_direct=0, sample_clamp_indirect=0)
+    if denoise:
+        check_denoiser()
+        scene.cycles.denoiser = "OPENIMAGEDENOISE"
 
 
 def set_eevee(scene):
@@ -279,19 +290,19 @@ def empty_scene():
     bpy.context.scene.world = world
 
 
-def build_scene(engine):
+def build_scene(arguments):
     """Builds everything; returns the knot and the shots' materials."""
     empty_scene()
     knot = add_mesh_object(PARAMETERS["mesh"])
     add_camera(PARAMETERS["camera"], knot.data)
     scene = bpy.context.scene
     set_output(scene, PARAMETERS["image"])
-    set_cycles(scene)
+    set_cycles(scene, arguments.samples, arguments.seed, arguments.denoise)
     set_eevee(scene)
-    scene.render.engine = engine_name(engine)
+    scene.render.engine = engine_name(arguments.engine)
     shots = PARAMETERS["shots"]
     scene.cycles.shading_system = any("osl" in shot for shot in shots)
-    return knot, [add_material(shot, engine == "eevee") for shot in shots]
+    return knot, [add_material(shot, arguments.engine == "eevee") for shot in shots]
 
 
 def render_shot(knot, material, path):
@@ -314,6 +325,10 @@ def parse_arguments():
 
     parser = argparse.ArgumentParser(prog=os.path.basename(__file__))
     parser.add_argument("--engine", choices=("cycles", "eevee"), default="cycles")
+    parser.add_argument("--samples", type=int, default=0, metavar="N",
+                        help="Cycles: random samples per pixel (0: one in its centre)")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random samples")
+    parser.add_argument("--denoise", action="store_true", help="Cycles: with OpenImageDenoise")
     parser.add_argument("--render", type=render, action="append", default=[],
                         metavar="SHOT=FILE.exr")
     parser.add_argument("--save", metavar="FILE.blend")
@@ -323,7 +338,7 @@ def parse_arguments():
 def main():
     """Builds the scene, then renders and saves what was asked for."""
     arguments = parse_arguments()
-    knot, materials = build_scene(arguments.engine)
+    knot, materials = build_scene(arguments)
     for index, path in arguments.render:
         if materials[index]:
             render_shot(knot, materials[index], path)

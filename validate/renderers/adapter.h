@@ -38,6 +38,13 @@ struct Rendering {
   std::vector<RenderedShot> shots;   ///< one for each asked for, in their order
 };
 
+/// Random samples, in place of one in each pixel's centre.
+struct Sampling {
+  int samples = 64;  ///< per pixel
+  int seed = 0;      ///< of the random numbers, not negative
+  bool denoised = false;
+};
+
 /// Is it here, and which one?
 struct Availability {
   bool found = false;

@@ -6,6 +6,7 @@
 
 #include "exporters/blender/scene.h"
 #include "validate/renderers/blender_run.h"
+#include "validate/renderers/cycles_filter.h"
 #include "validate/renderers/entry.h"
 #include "validate/renderers/external.h"
 
@@ -54,11 +55,13 @@ bool cuts_negative_colors(const std::string& version) {
 
 class Blender final : public Renderer {
  public:
-  Blender(const Programs& programs, std::string engine, std::string name, bool needs_display)
+  Blender(const Programs& programs, std::string engine, std::string name, bool needs_display,
+          std::optional<Sampling> sampling = {})
       : programs_(programs),
         engine_(std::move(engine)),
         name_(std::move(name)),
-        needs_display_(needs_display) {}
+        needs_display_(needs_display),
+        sampling_(sampling) {}
 
   std::string name() const override { return name_; }
 
@@ -106,7 +109,8 @@ class Blender final : public Renderer {
         .environment = {},
         .engine = engine_,
         .shaders = blender::ShotShaders::kNodes,
-        .time_limit = programs_.time_limit};
+        .time_limit = programs_.time_limit,
+        .sampling = sampling_};
     std::optional<Display> display;
     if (needs_display_) {
       display.emplace(find_program(programs_.path(kXvfbProgram)));
@@ -118,6 +122,7 @@ class Blender final : public Renderer {
   Programs programs_;
   std::string engine_, name_;
   bool needs_display_;
+  std::optional<Sampling> sampling_;
 };
 
 Promise eevee_promise(Promise promise, std::string_view version) {
@@ -129,6 +134,14 @@ Promise eevee_promise(Promise promise, std::string_view version) {
 std::unique_ptr<Renderer> make_cycles(const Programs& programs) {
   return std::make_unique<Blender>(programs, "cycles", "Cycles", false);
 }
+
+std::unique_ptr<Renderer> make_sampling_cycles(const Programs& programs, const Sampling& sampling) {
+  return std::make_unique<Blender>(programs, "cycles", "Cycles", false, sampling);
+}
+
+constexpr SamplingEntry kCyclesSampling{.make = make_sampling_cycles,
+                                        .filter = {cycles_filter, kCyclesReach},
+                                        .first_is_centred = true};
 
 std::unique_ptr<Renderer> make_eevee(const Programs& programs) {
   return std::make_unique<Blender>(programs, "eevee", "Eevee", true);
@@ -145,7 +158,8 @@ extern const RendererEntry kCyclesEntry{
     .promise = {.power_error = 1e-6,
                 .texture_step = kStep16,
                 .reason = "float32 throughout: positions, normals and texture coordinates are "
-                          "rounded four times, a sample's place in the image twice"}};
+                          "rounded four times, a sample's place in the image twice"},
+    .sampling = &kCyclesSampling};
 
 extern const RendererEntry kEeveeEntry{
     .name = "Eevee",

@@ -17,6 +17,11 @@ namespace fs = std::filesystem;
 std::vector<std::string> drawing_command(const BlenderRun& blender, std::span<const Shot> shots) {
   std::vector<std::string> command = blender.command;
   command.insert(command.end(), {"--engine", blender.engine});
+  if (blender.sampling) {
+    command.insert(command.end(), {"--samples", std::to_string(blender.sampling->samples), "--seed",
+                                   std::to_string(blender.sampling->seed)});
+    if (blender.sampling->denoised) command.emplace_back("--denoise");
+  }
   for (const Shot& shot : shots) {
     command.insert(command.end(), {"--render", fmt::format("{0}={0}.exr", shot.name)});
   }

@@ -17,6 +17,7 @@ struct BlenderRun {
   std::string engine;  ///< "cycles" or "eevee"
   blender::ShotShaders shaders = blender::ShotShaders::kNodes;
   std::chrono::duration<double> time_limit;
+  std::optional<Sampling> sampling = {};  ///< of Cycles
 };
 
 /// Draws the shots in one process; those that Blender can't draw are skipped. Throws

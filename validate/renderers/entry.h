@@ -7,10 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "render/filtered.h"
 #include "validate/renderers/adapter.h"
 #include "validate/renderers/promise.h"
 
 namespace lumaknot::validate {
+
+/// How a renderer draws with random samples.
+struct SamplingEntry {
+  std::unique_ptr<Renderer> (*make)(const Programs& programs, const Sampling& sampling);
+  PixelFilter filter;     ///< by which samples lie about a pixel's centre
+  bool first_is_centred;  ///< the first sample of each pixel lies in its centre instead
+};
 
 /// All that is particular to a renderer.
 struct RendererEntry {
@@ -24,6 +32,7 @@ struct RendererEntry {
   Promise promise;
   /// What another version promises; null: the same.
   Promise (*promise_of)(Promise promise, std::string_view version) = nullptr;
+  const SamplingEntry* sampling = nullptr;  ///< null: it does not sample at random
 };
 
 /// All of them, in order.
