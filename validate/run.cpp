@@ -13,17 +13,6 @@
 namespace lumaknot::validate {
 namespace {
 
-/// The stages that locate a failure's cause, then the final pictures.
-std::vector<Shot> shots_of(const ValidationJob& job) {
-  Material terms = job.finals.empty() ? job.scene.view.material : job.finals.front().material;
-  terms.normal = NormalUse::kUnit;
-  std::vector<Shot> shots{{"texture", Stage::kTexture, terms},
-                          {"diffuse", Stage::kDiffuse, terms},
-                          {"specular", Stage::kSpecular, terms}};
-  shots.insert(shots.end(), job.finals.begin(), job.finals.end());
-  return shots;
-}
-
 /// Our own side of the comparison.
 struct Ours {
   Reference reference;
@@ -240,6 +229,21 @@ Outcome RendererResult::outcome() const {
       shots, [](const Judged& shot) { return shot.drawn.status == RenderedShot::Status::kFailed; });
   if (failed || !first_difference.empty()) return Outcome::kDiffered;
   return explained.empty() ? Outcome::kAgreed : Outcome::kExplained;
+}
+
+std::vector<Shot> shots_of(const ValidationJob& job) {
+  Material terms = job.finals.empty() ? job.scene.view.material : job.finals.front().material;
+  terms.normal = NormalUse::kUnit;
+  std::vector<Shot> shots{{"texture", Stage::kTexture, terms},
+                          {"diffuse", Stage::kDiffuse, terms},
+                          {"specular", Stage::kSpecular, terms}};
+  shots.insert(shots.end(), job.finals.begin(), job.finals.end());
+  return shots;
+}
+
+void conclude(Validation& v) {
+  for (RendererResult& r : v.results) r.first_difference = first_difference(v.shots, r);
+  v.verdict = verdict_of(v.results);
 }
 
 Scene sample_by_sample(Scene scene) {

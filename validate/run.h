@@ -8,7 +8,9 @@
 
 #include "validate/cause.h"
 #include "validate/compare/claims.h"
+#include "validate/compare/denoised.h"
 #include "validate/compare/images.h"
+#include "validate/compare/noise.h"
 #include "validate/pictures.h"
 #include "validate/renderers/adapter.h"
 
@@ -28,10 +30,12 @@ struct ValidationJob {
 
 /// One renderer's picture of one shot, judged.
 struct Judged {
-  RenderedShot drawn;     ///< its image released
-  Comparison comparison;  ///< if it was drawn
-  Claims claims;          ///< of final shots that were drawn
-  Pictures pictures;      ///< if it was drawn; created while other renderers still draw
+  RenderedShot drawn;                      ///< its image released
+  Comparison comparison;                   ///< if it was drawn
+  NoiseTest noise;                         ///< if it was drawn twice with random samples
+  std::optional<DenoisedErrors> denoised;  ///< if both pictures were also denoised
+  Claims claims;                           ///< of final shots that were drawn without such
+  Pictures pictures;  ///< if it was drawn; created while other renderers still draw
 };
 
 /// One renderer's part of the result. `shots` are in the order of Validation::shots.
@@ -60,7 +64,8 @@ struct RendererResult {
 enum class Verdict { kAgreed, kExplained, kDiffered, kNothingToCompare };
 
 struct Validation {
-  std::vector<Shot> shots;  ///< texture, diffuse, specular, then the finals
+  std::optional<Sampling> sampling;  ///< of the first of two pictures, if they are so drawn
+  std::vector<Shot> shots;           ///< texture, diffuse, specular, then the finals
   Rendering own;
   std::vector<Claims> own_claims;        ///< of the final shots
   std::vector<OwnPicture> own_pictures;  ///< one per shot
@@ -69,6 +74,12 @@ struct Validation {
   double seconds = 0;                    ///< wall time of everything up to here
   Verdict verdict = Verdict::kNothingToCompare;
 };
+
+/// The stages that locate a failure's cause, then the job's final pictures.
+std::vector<Shot> shots_of(const ValidationJob& job);
+
+/// Sets the results' verdict and, for each that drew, the first rung that differs.
+void conclude(Validation& validation);
 
 /// `scene` with each of a pixel's samples x samples as a pixel of its own.
 Scene sample_by_sample(Scene scene);

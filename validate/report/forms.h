@@ -32,6 +32,10 @@ std::string_view coverage_outcome(const RendererResult& result);
 /// The same for all of a renderer's rungs: "differed" also if only some of its shots failed.
 std::string_view renderer_outcome(const RendererResult& result);
 
+/// What was found of a renderer that drew with random samples: how much of what is admitted its
+/// pictures use, or where they exceed it, and which bias would have been seen. Empty without such.
+std::string noise_summary(const Validation& validation, const RendererResult& result);
+
 /// "agreed", "explained" or "differed".
 std::string_view outcome_name(Outcome outcome);
 

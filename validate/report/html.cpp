@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "validate/compare/noise_words.h"
+#include "validate/noise.h"
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 #include "validate/report/matrix.h"
@@ -36,6 +38,7 @@ std::string details(const Judged& judged) {
     if (share.exceeded) parts.push_back("beyond what is allowed: " + share_text(share));
   }
   for (const std::string& line : c.exceeded) parts.push_back("exceeded: " + line);
+  if (judged.denoised) parts.push_back(denoised_text(*judged.denoised));
   for (const std::string& line : {judged.drawn.why, judged.drawn.note}) {
     if (!line.empty()) parts.push_back(line);
   }
@@ -96,7 +99,10 @@ Data coverage_row(const RendererResult& result) {
   row.set("drawn", result.drew_any());
   row.set("coverage", fmt::format("{} of {}", result.coverage_differs,
                                   result.shots.front().comparison.covered));
-  if (result.coverage_differs > 0) {
+  if (result.coverage_differs > 0 && !result.shots.front().noise.scales.empty()) {
+    row.set("details",
+            fmt::format("{} blocks of pixels beyond its noise", result.coverage_differs));
+  } else if (result.coverage_differs > 0) {
     row.set("details", fmt::format("{} where an edge passes by the sample, {} unexplained",
                                    result.coverage_differs - result.coverage_unexplained,
                                    result.coverage_unexplained));
@@ -118,7 +124,7 @@ Data comparison_rows(const Validation& v) {
 Data claims_rows(const Validation& v) {
   Data list(Data::type::list);
   for (std::size_t s = 0; s < v.shots.size(); ++s) {
-    if (v.shots[s].stage != Stage::kFinal) continue;
+    if (v.shots[s].stage != Stage::kFinal || v.sampling) continue;
     list.push_back(claims_data(v.shots[s], v.own.renderer, v.own_claims[s]));
     for (const RendererResult& result : v.results) {
       const Judged& judged = result.shots[s];
@@ -142,9 +148,10 @@ std::string names_of(const Validation& v, std::string_view outcome) {
 }
 
 /// What became of a renderer that did not agree, as the end of a sentence.
-std::string finding(const RendererResult& result) {
+std::string finding(const Validation& v, const RendererResult& result) {
   if (!result.first_difference.empty()) {
-    return fmt::format("differs, first in {}. {}", result.first_difference, result.cause);
+    return fmt::format("differs, first in {}. {}{}", result.first_difference, result.cause,
+                       noise_summary(v, result));
   }
   const auto is_drawn = [](const Judged& judged) {
     return judged.drawn.status == RenderedShot::Status::kDrawn;
@@ -168,11 +175,55 @@ Data findings_data(const Validation& v) {
   };
   for (const RendererResult& result : v.results) {
     const std::string_view outcome = renderer_outcome(result);
-    if (outcome != "agreed") add(result.rendering.renderer, outcome, finding(result));
+    if (outcome != "agreed") add(result.rendering.renderer, outcome, finding(v, result));
   }
   const std::string agreed = names_of(v, "agreed");
-  if (!agreed.empty()) add(agreed, "agreed", "agreed with the reference in every picture drawn.");
+  if (agreed.empty()) return list;
+  std::string what = "agreed with the reference in every picture drawn.";
+  if (v.sampling) what += " " + noise_summary(v, v.results.front());
+  add(agreed, "agreed", what);
   return list;
+}
+
+Data noise_row(const Validation& v, std::size_t shot, const NoiseTest& test, std::size_t scale) {
+  const NoiseScale& s = test.scales[scale];
+  const auto number = [](double x) { return fmt::format("{:.2e}", x); };
+  Data row;
+  row.set("shot", v.shots[shot].name);
+  row.set("scale", scale_name(test, scale));
+  row.set("tests", std::to_string(s.tests));
+  row.set("exceeded", std::to_string(s.exceeded + s.coverage_exceeded));
+  row.set("noise", number(s.noise));
+  row.set("bias", number(s.worst.bias));
+  row.set("admitted", number(s.worst.admitted));
+  row.set("place", fmt::format("{}, {}", s.worst.place.x, s.worst.place.y));
+  row.set("channel", std::string(kChannelNames[s.worst.channel]));
+  row.set("seen", number(s.seen));
+  return row;
+}
+
+/// Every scale of every picture that was drawn with random samples.
+Data noise_rows(const Validation& v) {
+  Data list(Data::type::list);
+  for (const RendererResult& result : v.results) {
+    for (std::size_t i = 0; i < result.shots.size(); ++i) {
+      const NoiseTest& test = result.shots[i].noise;
+      for (std::size_t scale = 0; scale < test.scales.size(); ++scale) {
+        list.push_back(noise_row(v, i, test, scale));
+      }
+    }
+  }
+  return list;
+}
+
+/// What the page says of random samples.
+void set_noise(const Validation& v, Data& page) {
+  page.set("sampled", v.sampling.has_value());
+  if (!v.sampling) return;
+  page.set("samples", std::to_string(v.sampling->samples));
+  page.set("seeds", fmt::format("{} and {}", v.sampling->seed, v.sampling->seed + 1));
+  page.set("family_error", fmt::format("{}", kFamilyError));
+  page.set("noise", noise_rows(v));
 }
 
 /// The scripts, in order, each with the hash by which the page's policy admits it.
@@ -214,6 +265,7 @@ std::string report_html(const Validation& v, const ReportHead& head) {
   page.set("renderers", renderers_data(v));
   page.set("rows", comparison_rows(v));
   page.set("claims", claims_rows(v));
+  set_noise(v, page);
   return render_page(embedded::report_template(), std::move(page));
 }
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/report.h"
+#include "validate/noise.h"
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 
@@ -84,6 +85,47 @@ Json comparison_json(const Comparison& c) {
           {"limits_exceeded", c.exceeded}};
 }
 
+Json finding_json(const NoiseFinding& f) {
+  return {{"at", place_json(f.place)},
+          {"channel", kChannelNames[f.channel]},
+          {"bias", f.bias},
+          {"distance", f.distance},
+          {"admitted", f.admitted},
+          {"standard_deviation", f.deviation}};
+}
+
+Json noise_json(const NoiseTest& test) {
+  Json scales = Json::array();
+  for (const NoiseScale& scale : test.scales) {
+    scales.push_back({{"block_pixels", scale.block},
+                      {"tests", scale.tests},
+                      {"exceeded", scale.exceeded},
+                      {"exceeded_in_coverage", scale.coverage_exceeded},
+                      {"noise", scale.noise},
+                      {"bias_seen", scale.seen},
+                      {"worst", finding_json(scale.worst)}});
+  }
+  return {{"family_error", test.family_error}, {"scales", scales}};
+}
+
+/// Null if it was not denoised.
+Json denoised_json(const std::optional<DenoisedErrors>& errors) {
+  if (!errors) return {};
+  return {{"noisy_rmse", errors->noisy},
+          {"rmse", errors->denoised},
+          {"shared_rmse", errors->bias},
+          {"bias_of_whole_picture", errors->whole}};
+}
+
+/// Null without random samples.
+Json sampling_json(const Validation& validation) {
+  if (!validation.sampling) return {};
+  const Sampling& s = *validation.sampling;
+  return {{"samples", s.samples},
+          {"seeds", Json::array({s.seed, s.seed + 1})},
+          {"family_error", kFamilyError}};
+}
+
 Json claims_json(const Claims& c) {
   return {{"highlight_pixels", c.highlight_pixels},
           {"highlight_mean_chroma", c.highlight_chroma},
@@ -98,7 +140,12 @@ Json shot_json(const Shot& shot, const Judged& judged) {
   if (!judged.drawn.note.empty()) json["note"] = judged.drawn.note;
   if (judged.drawn.status != RenderedShot::Status::kDrawn) return json;
   json["comparison"] = comparison_json(judged.comparison);
-  if (shot.stage == Stage::kFinal) json["claims"] = claims_json(judged.claims);
+  if (!judged.noise.scales.empty()) {
+    json["noise"] = noise_json(judged.noise);
+    json["denoised"] = denoised_json(judged.denoised);
+  } else if (shot.stage == Stage::kFinal) {
+    json["claims"] = claims_json(judged.claims);
+  }
   return json;
 }
 
@@ -169,7 +216,7 @@ Json renderer_json(const Validation& validation, const RendererResult& result) {
 Json own_json(const Validation& validation) {
   Json claims = Json::object();
   for (std::size_t i = 0; i < validation.shots.size(); ++i) {
-    if (validation.shots[i].stage != Stage::kFinal) continue;
+    if (validation.shots[i].stage != Stage::kFinal || validation.sampling) continue;
     claims[validation.shots[i].name] = claims_json(validation.own_claims[i]);
   }
   return {{"renderer", validation.own.renderer},
@@ -192,6 +239,7 @@ std::string report_json(const Validation& validation, const ReportHead& head) {
                   {"verdict", verdict_name(validation.verdict)},
                   {"seconds", validation.seconds},
                   {"slowest_renderer_seconds", slowest},
+                  {"noise", sampling_json(validation)},
                   {"own", own_json(validation)},
                   {"renderers", renderers}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

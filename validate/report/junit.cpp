@@ -33,7 +33,10 @@ TestCase coverage_case(const RendererResult& result) {
   } else if (test.outcome == "explained") {
     test.message = explanation({result.coverage_share});
   } else if (test.outcome == "differed") {
-    test.message = fmt::format("{} pixels unexplained", result.coverage_unexplained);
+    test.message = fmt::format("{} {}", result.coverage_unexplained,
+                               result.shots.front().noise.scales.empty()
+                                   ? "pixels unexplained"
+                                   : "blocks of pixels beyond its noise");
     if (!result.coverage_note.empty()) test.message += "; " + result.coverage_note;
   }
   return test;
