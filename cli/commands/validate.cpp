@@ -10,6 +10,7 @@
 #include "cli/command_table.h"
 #include "cli/commands/allowance_flag.h"
 #include "cli/commands/limit_flags.h"
+#include "cli/commands/noise_flags.h"
 #include "cli/commands/output_folder.h"
 #include "cli/commands/scene_input.h"
 #include "cli/commands/self_test.h"
@@ -21,6 +22,7 @@
 #include "system/error.h"
 #include "system/known.h"
 #include "system/process.h"
+#include "validate/noise.h"
 #include "validate/renderers/entry.h"
 #include "validate/report/forms.h"
 
@@ -39,6 +41,7 @@ struct ValidateFlags {
   validate::Programs programs;
   double time_limit = 300;
   bool self_test = false;
+  NoiseFlags noise;
   Output out;
 };
 
@@ -79,6 +82,7 @@ std::string repeat_command(const ValidateFlags& flags) {
   };
   for (const std::string& model : flags.models) add("--model", model);
   for (const std::string& renderer : flags.renderers) add("--renderer", renderer);
+  command += repeated(flags.noise);
   for (const std::string& share : flags.allowed) add("--allow", share);
   for (const std::string& limit : flags.limits.values) add("--limit", limit);
   if (!flags.limits.file.empty()) add("--limits", flags.limits.file);
@@ -138,10 +142,29 @@ void write_reports(const ValidateFlags& flags, const validate::Validation& valid
     write_file(flags.junit, validate::report_junit(validation, head), "--junit");
   }
   if (flags.out.json) fmt::print("{}", json);
-  for (const validate::RendererResult& result : validation.results) flags.out.say(summary(result));
+  for (const validate::RendererResult& result : validation.results) {
+    flags.out.say(summary(result));
+    const std::string noise = validate::noise_summary(validation, result);
+    if (!noise.empty()) flags.out.say(fmt::format("{:9}{}", "", noise));
+  }
   flags.out.say(fmt::format("{}: {} in {:.1f} s; see {}", flags.scene,
                             validate::verdict_name(validation.verdict), validation.seconds,
                             page.string()));
+}
+
+/// Draws and judges.
+validate::Validation validated(const ValidateFlags& flags, validate::ValidationJob job) {
+  const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
+  const auto on_message = [&](const std::string& line) {
+    if (verbose) fmt::print(stderr, "{}\n", line);
+  };
+  if (!flags.noise.given()) {
+    job.scene = validate::sample_by_sample(std::move(job.scene));
+    return validate::validate(job, on_message);
+  }
+  job.scene.view.image.samples = 1;
+  return validate::validate_noise(job, sampling_renderer(flags.renderers), flags.noise.sampling,
+                                  on_message);
 }
 
 int run(const ValidateFlags& flags) {
@@ -153,8 +176,13 @@ int run(const ValidateFlags& flags) {
     return run_self_test_command(input, flags.renderers, programs, flags.output, flags.out);
   }
   check_outputs(flags, input);
-  check_samples(input.spec.view.image, kMaxSamples);
-  validate::ValidationJob job{validate::sample_by_sample(load_scene(input)),
+  if (flags.noise.given()) {
+    sampling_renderer(flags.renderers);
+    check_noisy_pixels(input.spec.view.image);
+  } else {
+    check_samples(input.spec.view.image, kMaxSamples);
+  }
+  validate::ValidationJob job{load_scene(input),
                               finals(input.spec.view.material, flags.models),
                               flags.renderers,
                               programs,
@@ -163,10 +191,7 @@ int run(const ValidateFlags& flags) {
   if (const auto* knot = std::get_if<KnotSpec>(&input.spec.mesh)) job.knot = *knot;
   const OutputFolder output_folder(flags.output, "report.html");
   if (!flags.junit.empty()) check_writable(flags.junit, "--junit");
-  const bool verbose = isatty(STDERR_FILENO) && !flags.out.quiet;
-  const validate::Validation validation = validate::validate(job, [&](const std::string& line) {
-    if (verbose) fmt::print(stderr, "{}\n", line);
-  });
+  const validate::Validation validation = validated(flags, std::move(job));
   write_reports(flags, validation);
   return exit_code_of(validation.verdict);
 }
@@ -221,6 +246,7 @@ std::vector<Argument> validate_arguments(ValidateFlags& flags) {
        .meaning = "seconds a renderer may take",
        .range = kPositive,
        .checked = false}};
+  append(all, noise_arguments(flags.noise));
   append(all, limit_arguments(flags.limits));
   append(all, output_arguments(flags.out));
   append(all, program_arguments(flags.programs));
@@ -239,12 +265,17 @@ Subcommand validate_command() {
       .notes =
           "A renderer agrees, differs, or is explained: each difference has a known cause that was "
           "recomputed, but more of the picture differs than is allowed.\n"
+          "With --noise, a renderer differs if both of its pictures are off on the same side, in a "
+          "pixel, a block of pixels or as a whole, by more than its noise admits: a renderer that "
+          "is right is found to differ with a chance of 0.001.\n"
           "Exit code: 0 all agree, 1 one differs, is explained or fails, 2 invalid usage or input, "
           "3 nothing to compare with.",
       .examples = {{"lumaknot validate -o report/"},
                    {"lumaknot validate scene.json --model scene --renderer povray -o report/"},
                    {"lumaknot validate --allow turned-normal=20% --junit tests.xml"},
                    {"lumaknot validate --model cielab-cook-torrance --against gl,vulkan"},
+                   {"lumaknot validate scene.json --renderer cycles --noise 64 -o report/",
+                    "as its users draw it, judged by statistics"},
                    {"lumaknot validate scene.json --self-test --renderer gl -o self-test/"},
                    {"lumaknot validate figure1-back --blender /opt/blender-4.2/blender"}},
       .run = [flags] {

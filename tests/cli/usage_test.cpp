@@ -238,6 +238,38 @@ TEST_F(Program, why_needs_a_cell_of_a_report) {
             "limit 2e-05, of\n  formula              1.5e-05\n");
 }
 
+TEST_F(Program, validate_refuses_noise_that_means_nothing) {
+  const auto refused = [this](const std::vector<std::string>& flags, const std::string& part) {
+    std::vector<std::string> arguments{"validate", "figure2", "-o", "report"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    expect_refused(arguments, part);
+  };
+  refused({"--noise", "0"}, "--noise");
+  refused({"--noise", "1"}, "--noise");
+  refused({"--noise", "-3"}, "--noise");
+  refused({"--noise", "1000000"}, "--noise");
+  refused({"--noise", "64", "--renderer", "gl"},
+          "gl draws no random samples; give --renderer cycles");
+  refused({"--noise", "64", "--renderer", "cycles,povray"}, "--noise draws with one renderer");
+  refused({"--noise", "64", "--limit", "max=0.1"}, "--limit");
+  refused({"--noise", "64", "--allow", "all=20%"}, "--allow");
+  refused({"--noise", "64", "--self-test"}, "--self-test");
+  refused({"--seed", "3"}, "--noise");
+  refused({"--noise", "64", "--seed", "-1"}, "--seed");
+  EXPECT_THAT(files(), ::testing::IsEmpty());
+}
+
+TEST_F(Program, validate_reports_noise_without_blender_as_nothing_to_compare) {
+  const ProcessResult result = lumaknot(
+      {"validate", "figure2", "--noise", "16", "--blender", "/nonexistent/program", "-o", "r"});
+  EXPECT_THAT(result, ExitsWith(3));
+  EXPECT_THAT(result.log, HasSubstr("Cycles   skipped: /nonexistent/program not found"));
+  const auto json = nlohmann::json::parse(read("r/report.json"));
+  EXPECT_EQ(json["noise"]["samples"], 16);
+  EXPECT_EQ(json["command"],
+            "lumaknot validate figure2 --noise 16 --blender /nonexistent/program -o r");
+}
+
 TEST_F(Program, validate_writes_a_test_case_per_renderer_and_rung) {
   const std::string none = "/nonexistent/program";
   EXPECT_THAT(lumaknot({"validate", "figure2", "--renderer", "povray,cycles", "--model", "phong",
