@@ -7,6 +7,7 @@
 
 #include "bench/verdicts/random_scene.h"
 #include "diagnosis/diagnose.h"
+#include "validate/cause.h"
 #include "validate/compare/images.h"
 #include "validate/compare/sensitivity.h"
 #include "validate/renderers/entry.h"
@@ -78,7 +79,7 @@ class Judge {
       const auto cause = named_cause(stored(picture, steps), rendering.limited || steps > 0);
       ++counts.diagnosed;
       if (!cause) continue;
-      if (is_known(*cause, last)) {
+      if (std::ranges::count(validate::classed_causes(last), cause->id) > 0) {
         ++counts.known;
         continue;
       }
@@ -120,16 +121,6 @@ class Judge {
         diagnosis::diagnose({random_.scene, shots_.back(), picture, random_.knot, limited, true});
     if (d.verdict != diagnosis::Diagnosis::Verdict::kNamed) return {};
     return d.cause.causes.front();
-  }
-
-  /// Whether the comparison has already classed pixels for that reason.
-  static bool is_known(const diagnosis::NamedCause& cause, const validate::Comparison& c) {
-    const auto pixels = [&](std::string_view name) {
-      const auto at = std::ranges::find(validate::kPixelClassNames, name);
-      return c.classes[std::size_t(at - validate::kPixelClassNames.begin())];
-    };
-    return (cause.id == "normals-turned" && pixels("turned normal") > 0) ||
-           (cause.id == "highlights-gated" && pixels("gated highlight") > 0);
   }
 
   const RandomScene& random_;

@@ -28,10 +28,11 @@ std::string self_test_markdown(const SelfTest& test) {
       "| pictures with a planted fault | {} |\n| of those that change some pixel | {} |\n"
       "| noticed | {} |\n| named with its numbers, or unknown where no cause describes it | {} "
       "|\n| unknown | {} |\n"
-      "| named wrongly | {} |\n| unaltered pictures | {} |\n| of those accused | {} |\n\n"
+      "| named wrongly | {} |\n| unaltered pictures | {} |\n| of those accused | {} |\n| pictures "
+      "that a renderer failed to draw | {} |\n\n"
       "| drawn by | values | planted | noticed | named |\n|---|---|---|---|---|\n",
       test.planted, test.planted - test.unseen, test.noticed, test.right, test.unknown, test.wrong,
-      test.unaltered, test.accused);
+      test.unaltered, test.accused, test.failed);
   for (const PlantedResult& r : test.results) {
     if (!r.why.empty()) {
       text += fmt::format("| {} | | {} | not drawn | {} |\n", r.drawn_by, r.fault, r.why);
@@ -60,11 +61,11 @@ std::string self_test_json(const SelfTest& test) {
                        {"sentence", r.sentence},
                        {"not_drawn", r.why}});
   }
-  const Json json{{"passed", test.passed()}, {"planted", test.planted},
-                  {"unseen", test.unseen},   {"noticed", test.noticed},
-                  {"right", test.right},     {"unknown", test.unknown},
-                  {"wrong", test.wrong},     {"unaltered", test.unaltered},
-                  {"accused", test.accused}, {"results", results}};
+  const Json json{
+      {"passed", test.passed()}, {"planted", test.planted},     {"unseen", test.unseen},
+      {"noticed", test.noticed}, {"right", test.right},         {"unknown", test.unknown},
+      {"wrong", test.wrong},     {"unaltered", test.unaltered}, {"accused", test.accused},
+      {"failed", test.failed},   {"results", results}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "diagnosis/diagnose.h"
 #include "render/reference.h"
+#include "validate/cause.h"
 #include "validate/compare/images.h"
 #include "validate/compare/sensitivity.h"
 #include "validate/renderers/entry.h"
@@ -50,17 +51,25 @@ bool has_numbers(const diagnosis::NamedCause& cause, const std::vector<PlantedNu
   });
 }
 
-bool is_right(const diagnosis::Explained& explained, const Fault& fault) {
-  if (explained.causes.size() != 1) return false;
-  const diagnosis::NamedCause& cause = explained.causes.front();
+/// `known`: causes that the renderer's unaltered picture has too.
+bool is_right(const diagnosis::Explained& explained, const Fault& fault,
+              const std::vector<std::string>& known) {
+  std::vector<diagnosis::NamedCause> causes = explained.causes;
+  std::erase_if(causes, [&](const diagnosis::NamedCause& cause) {
+    return std::ranges::count(known, cause.id) > 0 &&
+           std::ranges::count(fault.names, cause.id) == 0;
+  });
+  if (causes.size() != 1) return false;
+  const diagnosis::NamedCause& cause = causes.front();
   if (cause.id == fault.names.front()) return has_numbers(cause, fault.numbers);
   return std::ranges::count(fault.names, cause.id) > 0;
 }
 
-bool is_right(const diagnosis::Diagnosis& d, const Fault& fault) {
+bool is_right(const diagnosis::Diagnosis& d, const Fault& fault,
+              const std::vector<std::string>& known) {
   const bool is_named = d.verdict == diagnosis::Diagnosis::Verdict::kNamed;
   if (fault.names.empty()) return d.verdict == diagnosis::Diagnosis::Verdict::kUnknown;
-  const auto right = [&](const diagnosis::Explained& e) { return is_right(e, fault); };
+  const auto right = [&](const diagnosis::Explained& e) { return is_right(e, fault, known); };
   return is_named && (right(d.cause) || std::ranges::any_of(d.equivalents, right));
 }
 
@@ -81,9 +90,9 @@ class Planting {
   }
 
   SelfTest run(const Progress& progress) {
-    const auto settings = setting_faults(job_.renderers);
-    const double steps = double(2 * faults_.size() + 1 +
-                                job_.renderers.size() * (faults_.size() + 1) + settings.size());
+    const double steps =
+        double(2 * faults_.size() + 1 + job_.renderers.size() * (faults_.size() + 1) +
+               setting_faults(job_.renderers).size());
     double step = 0;
     const auto report = [&] {
       if (progress) progress(++step / steps);
@@ -102,10 +111,10 @@ class Planting {
         if (fault.scene) drawn(&fault, flag, job_.programs);
         report();
       }
-    }
-    for (const SettingFault& setting : settings) {
-      const AlteredProgram altered(setting, job_.programs);
-      drawn(&setting.fault, setting.renderer, altered.programs()), report();
+      for (const SettingFault& setting : setting_faults({flag})) {
+        const AlteredProgram altered(setting, job_.programs);
+        drawn(&setting.fault, flag, altered.programs()), report();
+      }
     }
     return std::move(test_);
   }
@@ -138,6 +147,7 @@ class Planting {
     RenderedShot& result = rendering.shots.front();
     const bool is_as_asked = result.status == RenderedShot::Status::kDrawn && !result.instead;
     const std::string name(renderer.name);
+    test_.failed += result.status == RenderedShot::Status::kFailed;
     if (!is_as_asked) {
       test_.results.push_back({.fault = fault ? fault->what : "",
                                .drawn_by = name,
@@ -150,7 +160,7 @@ class Planting {
     }
   }
 
-  bool notices(const std::string& renderer, const Image& picture, bool limited) const {
+  Comparison compared(const std::string& renderer, const Image& picture, bool limited) const {
     // Our own pictures are held to the limits of the nearest relative, an emitted shader's.
     const RendererEntry& judged = renderer_entry(renderer == "lumaknot" ? "GL" : renderer);
     Standard standard;
@@ -159,7 +169,10 @@ class Planting {
     // Those in 8 bits are our own; limited renderers promise their own steps.
     if (limited && renderer == "lumaknot")
       standard.promise.output_step = std::max(standard.promise.output_step, 1.0 / 255);
-    const Comparison c = compare(reference_, shot_, own_, picture, sensitivities_, standard);
+    return compare(reference_, shot_, own_, picture, sensitivities_, standard);
+  }
+
+  static bool is_noticed(const Comparison& c) {
     return c.outcome() != Outcome::kAgreed || c.coverage_unexplained > 0;
   }
 
@@ -177,15 +190,22 @@ class Planting {
 
   void unaltered(const std::string& renderer, const Image& picture, bool limited) {
     const diagnosis::Diagnosis d = diagnosis_of(picture, limited);
+    const Comparison comparison = compared(renderer, picture, limited);
+    known_ = classed_causes(comparison);
+    const bool is_known = std::ranges::all_of(d.cause.causes, [&](const auto& cause) {
+      return std::ranges::count(known_, cause.id) > 0;
+    });
+    const bool accused =
+        is_noticed(comparison) || (d.verdict == diagnosis::Diagnosis::Verdict::kNamed && !is_known);
     ++test_.unaltered;
-    test_.accused += d.verdict == diagnosis::Diagnosis::Verdict::kNamed;
+    test_.accused += accused;
     test_.results.push_back({.fault = {},
                              .drawn_by = renderer,
                              .values = limited ? "8 bits" : "float",
-                             .noticed = d.verdict != diagnosis::Diagnosis::Verdict::kAgrees,
+                             .noticed = accused,
                              .expected = {},
                              .named = ids(d),
-                             .right = d.verdict == diagnosis::Diagnosis::Verdict::kAgrees,
+                             .right = !accused,
                              .sentence = diagnosis::sentence_of(d)});
   }
 
@@ -206,10 +226,10 @@ class Planting {
     ++test_.planted;
     const diagnosis::Diagnosis d = diagnosis_of(picture, limited);
     result.changes = changes(fault, limited);
-    result.noticed = notices(renderer, picture, limited);
+    result.noticed = is_noticed(compared(renderer, picture, limited));
     result.named = ids(d);
     result.sentence = diagnosis::sentence_of(d);
-    result.right = is_right(d, fault);
+    result.right = is_right(d, fault, known_);
     count(result);
     test_.results.push_back(std::move(result));
   }
@@ -232,6 +252,7 @@ class Planting {
   Grid<Sensitivity> sensitivities_;
   Image own_;
   std::vector<Fault> faults_;
+  std::vector<std::string> known_;  ///< causes of the present renderer's unaltered picture
   SelfTest test_;
 };
 
@@ -240,7 +261,8 @@ class Planting {
 bool SelfTest::passed() const {
   constexpr double kNamed = 0.95;
   const long long seen = planted - unseen;
-  return noticed == seen && wrong == 0 && accused == 0 && double(right) >= kNamed * double(seen);
+  return noticed == seen && failed == 0 && wrong == 0 && accused == 0 &&
+         double(right) >= kNamed * double(seen);
 }
 
 SelfTest run_self_test(const SelfTestJob& job, const Progress& progress) {

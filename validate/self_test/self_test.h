@@ -39,8 +39,10 @@ struct SelfTest {
   std::vector<PlantedResult> results;
   long long planted = 0, unseen = 0, noticed = 0, right = 0, wrong = 0, unknown = 0;
   long long unaltered = 0, accused = 0;
+  long long failed = 0;  ///< pictures that a renderer should have drawn
 
-  /// Every visible fault was noticed, 95 % were named, none wrongly, and nothing else was accused.
+  /// Every visible fault was noticed, 95 % were named, none wrongly, nothing else was accused, and
+  /// no renderer failed.
   bool passed() const;
 };
 

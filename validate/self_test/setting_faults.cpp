@@ -44,10 +44,27 @@ std::vector<SettingFault> all_setting_faults() {
               {"texture-nearest"}),
       blender("eevee", "Eevee's texture read as sRGB", as_srgb, decoded),
       gl("the V of GL's texture coordinates flipped",
-         "s/texture(\\(\\w*\\), \\(\\w*\\))/texture(\\1, vec2(\\2.x, 1.0 - \\2.y))/",
-         {"texture-flip-v"}),
+         "s/surface_uv)/vec2(surface_uv.x, 1.0 - surface_uv.y))/", {"texture-flip-v"}),
       gl("GL's normals inverted", "s/normalize(normal)/normalize(-normal)/", {"normals-inverted"}),
   };
+}
+
+/// Alters the files of the private folder that a renderer's program runs in, then runs it. It fails
+/// where files are there of which none changes, as the fault would not be planted.
+std::string altering_script(const SettingFault& fault, const std::filesystem::path& program) {
+  return fmt::format(R"sh(#!/bin/sh
+all() {{ find . -type f -name '{}' "$@"; }}
+case "$HOME" in "$PWD"*)
+  before=$(all -exec cat {{}} + | cksum)
+  all -exec sed -i '{}' {{}} +
+  if [ -n "$(all)" ] && [ "$before" = "$(all -exec cat {{}} + | cksum)" ]; then
+    echo "nothing to alter in {}" >&2
+    exit 1
+  fi
+esac
+exec '{}' "$@"
+)sh",
+                     fault.files, fault.edit, fault.files, program.string());
 }
 
 }  // namespace
@@ -65,12 +82,7 @@ AlteredProgram::AlteredProgram(const SettingFault& fault, Programs programs)
   const std::string given = programs_.path(*fault.program);
   const auto real =
       given.empty() ? program_beside(std::string(fault.program->name)) : find_program(given);
-  write_file(
-      script,
-      fmt::format(
-          "#!/bin/sh\nfind . -type f -name '{}' -exec sed -i '{}' {{}} +\nexec '{}' \"$@\"\n",
-          fault.files, fault.edit, real.string()),
-      "the self-test's folder");
+  write_file(script, altering_script(fault, real), "the self-test's folder");
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   programs_.paths[fault.program->flag] = script.string();
 }
