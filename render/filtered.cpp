@@ -140,7 +140,7 @@ class FilterPass {
     const Grid<Fragment> samples = rasterizer_.band(index);
     Grid<PixelSums> sums(width_, kBandRows + 2 * kMargin);
     for (int y = 0; y < samples.height; ++y) {
-      const Footprint& rows = rows_[std::size_t(index * kBandRows * kGrid + y)];
+      const Footprint& rows = rows_[std::size_t(index) * kBandRows * kGrid + std::size_t(y)];
       const std::vector<PixelSums> line = filtered_line(samples, y);
       for (int i = 0; i < 4; ++i) {
         const double weight = rows.weights[std::size_t(i)];
