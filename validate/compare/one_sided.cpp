@@ -11,7 +11,10 @@ double both_beyond(double deviations, double freedom) {
   const double half = freedom / 2, factor = std::log(half) * half - std::lgamma(half);
   const double step = 0.4 / std::sqrt(half + std::fmin(deviations * deviations, 16));
   double sum = 0;
-  for (double u = -3 - 50 / half; u < 4; u += step) {
+  const double from = -3 - 50 / half;
+  const int steps = int((4 - from) / step);
+  for (int i = 0; i < steps; ++i) {
+    const double u = from + i * step;
     const double density = factor + half * (u - std::exp(u));
     const double tail = std::erfc(deviations * std::exp(u / 2) / std::numbers::sqrt2) / 2;
     sum += std::exp(density) * tail * tail;
