@@ -12,6 +12,8 @@
 namespace lumaknot::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 ShaderJob job_of(const std::string& name, ShadingFrequency rate) {
   ShaderJob job;
   job.name = name;
@@ -49,7 +51,6 @@ std::string shader_list_text() {
 }
 
 std::string shader_list_json() {
-  using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const std::string& name : formula_names()) {
     for (const ShadingFrequency rate : {ShadingFrequency::kPixel, ShadingFrequency::kVertex}) {
