@@ -48,7 +48,7 @@ TEST_P(Draws, first_row_is_the_top_and_pixels_are_sampled_at_their_centres) {
   ASSERT_EQ(image.size(), 32u);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 8; ++x) {
-      const Pixel& p = image[std::size_t(y * 8 + x)];
+      const Pixel& p = image[y * 8 + x];
       // Interpolated from -1 ... 3 in float: a few roundings of numbers up to 3.
       EXPECT_NEAR(p[0], (x + 0.5) / 4 - 1, 1e-6);
       EXPECT_NEAR(p[1], 1 - (y + 0.5) / 2, 1e-6);
@@ -101,7 +101,7 @@ double bilinear(const std::vector<float>& texels, int n, double u, double v, int
   const double fx = x - std::floor(x), fy = y - std::floor(y);
   const auto at = [&](int dx, int dy) {
     const int i = (int(std::floor(x)) + dx + n) % n, j = (int(std::floor(y)) + dy + n) % n;
-    return double(texels[std::size_t((j * n + i) * 4 + channel)]);
+    return double(texels[(j * n + i) * 4 + channel]);
   };
   const double low = at(0, 0) + (at(1, 0) - at(0, 0)) * fx;
   const double high = at(0, 1) + (at(1, 1) - at(0, 1)) * fx;
@@ -123,7 +123,7 @@ TEST_P(Draws, linear_filter_is_the_bilinear_filter_in_float) {
   for (int i = 0; i < kPixels * kPixels; ++i) {
     // The image's first row is the texture's last.
     const int from = (kPixels - 1 - i / kPixels) * kPixels + i % kPixels;
-    const double u = places[std::size_t(from * 4)], v = places[std::size_t(from * 4 + 1)];
+    const double u = places[from * 4], v = places[from * 4 + 1];
     for (int c = 0; c < 4; ++c) {
       const float got = image[std::size_t(i)][std::size_t(c)];
       worst = std::max(worst, std::abs(got - bilinear(texels, kTexels, u, v, c)));
