@@ -135,7 +135,8 @@ TEST(ColorSpace, light_changes_the_brightness_and_leaves_the_chroma) {
 
 TEST(ColorSpace, more_light_never_makes_a_grey_darker) {
   for (const Space space : kLumaSpaces) {
-    for (double brightness = -0.2; brightness < 3; brightness += 0.01) {
+    for (int hundredths = -20; hundredths < 300; ++hundredths) {
+      const double brightness = hundredths / 100.0;
       ASSERT_LT(neutral_of(brightness, space), neutral_of(brightness + 0.01, space))
           << name_of(space) << " " << brightness;
     }
