@@ -24,6 +24,7 @@ Float3 hlsl_normalize(Float3 a) {
 Float3 minus(Float3 a, Float3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Float3 times(double s, Float3 a) { return {s * a.x, s * a.y, s * a.z}; }
 
+// NOLINTBEGIN(readability-identifier-naming): as the listing has them
 Float3 RGBtoYIQ(Float3 c) {
   Float3 out;
   out.y = 0.29889531 * c.x + 0.58662247 * c.y + 0.11448223 * c.z;
@@ -57,6 +58,7 @@ Float3 LumaPhongDiffuse(Float3 normal_world, Float3 pos_world, Float3 tex_col, P
   work_col.y = work_col.y * diffuse + specular * 1.0 - 0.1;
   return YIQtoRGB(work_col);
 }
+// NOLINTEND(readability-identifier-naming)
 
 Float3 hlsl(const Vec3d& v) { return {v.x, v.y, v.z}; }
 

@@ -25,11 +25,11 @@ bool is_vector_constant(const ScalarVec& v, const Vec3d& value) {
 }
 
 /// A step on scalars with these arguments.
-bool is_step(const Scalar& s, Op op, std::vector<NodePtr> arguments) {
+bool is_step(const Scalar& s, Op op, const std::vector<NodePtr>& arguments) {
   return s.node->op == op && !s.node->is_vector && s.node->arguments == arguments;
 }
 
-bool is_step(const ScalarVec& v, Op op, std::vector<NodePtr> arguments) {
+bool is_step(const ScalarVec& v, Op op, const std::vector<NodePtr>& arguments) {
   return v.node->op == op && v.node->is_vector && v.node->arguments == arguments;
 }
 
