@@ -8,6 +8,7 @@
 
 #include "diagnosis/diagnose.h"
 #include "render/reference.h"
+#include "system/process.h"
 #include "validate/cause.h"
 #include "validate/compare/images.h"
 #include "validate/compare/sensitivity.h"
@@ -95,6 +96,7 @@ class Planting {
                setting_faults(job_.renderers).size());
     double step = 0;
     const auto report = [&] {
+      check_interrupted();
       if (progress) progress(++step / steps);
     };
     unaltered("lumaknot", own_, false);

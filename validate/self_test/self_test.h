@@ -46,6 +46,7 @@ struct SelfTest {
   bool passed() const;
 };
 
+/// Throws Interrupted when the user asked to stop.
 SelfTest run_self_test(const SelfTestJob& job, const Progress& progress = {});
 
 /// A table in Markdown, with the counts above it.
