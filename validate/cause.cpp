@@ -22,20 +22,6 @@ Cause find_cause(const Scene& scene, const std::optional<KnotSpec>& knot, const 
   return {shot.name, diagnosis::diagnose({scene, shot, drawn, knot, limited, true})};
 }
 
-std::vector<std::string> classed_causes(const Comparison& comparison) {
-  struct Classed {
-    std::string_view pixels, cause;
-  };
-  constexpr std::array<Classed, 2> kClassed{
-      {{"turned normal", "normals-turned"}, {"gated highlight", "highlights-gated"}}};
-  std::vector<std::string> causes;
-  for (const Classed& c : kClassed) {
-    const auto at = std::ranges::find(kPixelClassNames, c.pixels) - kPixelClassNames.begin();
-    if (comparison.classes[std::size_t(at)] > 0) causes.emplace_back(c.cause);
-  }
-  return causes;
-}
-
 void prefer_by_rung(diagnosis::Diagnosis& diagnosis, FirstDifference first) {
   const auto by_light = [](const diagnosis::NamedCause& cause) {
     return cause.rung == Rung::kLight || cause.rung == Rung::kSurface;

@@ -3,10 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "diagnosis/diagnose.h"
-#include "validate/compare/images.h"
 #include "validate/renderers/adapter.h"
 
 namespace lumaknot::validate {
@@ -21,10 +19,6 @@ struct Cause {
 /// was made from.
 Cause find_cause(const Scene& scene, const std::optional<KnotSpec>& knot, const Shot& shot,
                  const Image& drawn, bool limited);
-
-/// The ids of causes for which the comparison has classed pixels: known of the renderer, and no
-/// fault of the picture.
-std::vector<std::string> classed_causes(const Comparison& comparison);
 
 /// The first rung of which a renderer's pictures differ, as the pictures alone tell.
 enum class FirstDifference { kCoverage, kTexture, kLight };

@@ -7,7 +7,6 @@
 
 #include "bench/verdicts/random_scene.h"
 #include "diagnosis/diagnose.h"
-#include "validate/cause.h"
 #include "validate/compare/images.h"
 #include "validate/compare/sensitivity.h"
 #include "validate/renderers/entry.h"

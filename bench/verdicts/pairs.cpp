@@ -12,7 +12,7 @@
 #include "scene/bricks.h"
 #include "scene/presets.h"
 #include "system/known.h"
-#include "validate/self_test/faults.h"
+#include "validate/self_test/self_test.h"
 
 namespace lumaknot::verdicts {
 namespace {

@@ -274,4 +274,18 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
   return Comparer(reference, shot, ours, theirs, sensitivities, standard).compare();
 }
 
+std::vector<std::string> classed_causes(const Comparison& comparison) {
+  struct Classed {
+    std::string_view pixels, cause;
+  };
+  constexpr std::array<Classed, 2> kClassed{
+      {{"turned normal", "normals-turned"}, {"gated highlight", "highlights-gated"}}};
+  std::vector<std::string> causes;
+  for (const Classed& c : kClassed) {
+    const auto at = std::ranges::find(kPixelClassNames, c.pixels) - kPixelClassNames.begin();
+    if (comparison.classes[std::size_t(at)] > 0) causes.emplace_back(c.cause);
+  }
+  return causes;
+}
+
 }  // namespace lumaknot::validate

@@ -84,4 +84,8 @@ Comparison compare(const Reference& reference, const Shot& shot, const Image& ou
                    const Image& theirs, const Grid<Sensitivity>& sensitivities,
                    const Standard& standard);
 
+/// The ids of diagnosis's causes for which the comparison has classed pixels: known of the
+/// renderer, and no fault of the picture.
+std::vector<std::string> classed_causes(const Comparison& comparison);
+
 }  // namespace lumaknot::validate

@@ -9,11 +9,9 @@
 #include "diagnosis/diagnose.h"
 #include "render/reference.h"
 #include "system/process.h"
-#include "validate/cause.h"
 #include "validate/compare/images.h"
 #include "validate/compare/sensitivity.h"
 #include "validate/renderers/entry.h"
-#include "validate/self_test/faults.h"
 #include "validate/self_test/setting_faults.h"
 
 namespace lumaknot::validate {

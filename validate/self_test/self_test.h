@@ -10,6 +10,7 @@
 #include "scene/spec.h"
 #include "system/progress.h"
 #include "validate/renderers/programs.h"
+#include "validate/self_test/faults.h"
 
 namespace lumaknot::validate {
 
