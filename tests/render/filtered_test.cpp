@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-#include "meshgen/knot_mesh.h"
-#include "scene/bricks.h"
-#include "scene/presets.h"
+#include "tests/validate/small_scene.h"
 
 namespace lumaknot {
 namespace {
@@ -15,24 +13,15 @@ namespace {
 double box(double offset) { return std::abs(offset) < 0.5 ? 1 : 0; }
 double far_up_and_right(double offset) { return offset > 0.5 && offset < 1.5 ? 1 : 0; }
 
-Scene knot_scene(int size) {
-  KnotSpec knot;
-  knot.segments = 120;
-  knot.sides = 16;
-  Scene scene{knot_mesh(knot), bricks(), builtin_scene("figure2")->view};
-  scene.view.image = {size, size, 1};
-  return scene;
-}
-
-Shot final_shot(const Scene& scene) { return {"final", Stage::kFinal, scene.view.material}; }
+Shot own_shot(const Scene& scene) { return {"final", Stage::kFinal, scene.view.material}; }
 
 double channel(const RgbaPixel& pixel, std::size_t c) {
   return std::array{pixel.color.r, pixel.color.g, pixel.color.b, pixel.coverage}[c];
 }
 
 TEST(Filtered, a_box_gives_the_mean_of_a_pixels_samples) {
-  Scene scene = knot_scene(48);
-  const FilteredImage filtered = render_filtered(scene, final_shot(scene), {box, 0.5}, 1024);
+  Scene scene = testing::small_scene(48);
+  const FilteredImage filtered = render_filtered(scene, own_shot(scene), {box, 0.5}, 1024);
   scene.view.image.samples = 32;
   const Image samples = render(scene);
   for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
@@ -45,10 +34,9 @@ TEST(Filtered, a_box_gives_the_mean_of_a_pixels_samples) {
 }
 
 TEST(Filtered, a_filter_that_lies_a_pixel_up_and_right_moves_the_picture) {
-  const Scene scene = knot_scene(32);
-  const FilteredImage middle = render_filtered(scene, final_shot(scene), {box, 0.5}, 128);
-  const FilteredImage moved =
-      render_filtered(scene, final_shot(scene), {far_up_and_right, 1.5}, 128);
+  const Scene scene = testing::small_scene(32);
+  const FilteredImage middle = render_filtered(scene, own_shot(scene), {box, 0.5}, 128);
+  const FilteredImage moved = render_filtered(scene, own_shot(scene), {far_up_and_right, 1.5}, 128);
   for (int y = 1; y < 32; ++y) {
     for (int x = 0; x < 31; ++x) {
       EXPECT_NEAR(moved.halves[0].at(x, y)[1], middle.halves[0].at(x + 1, y - 1)[1], 1e-12);
@@ -57,8 +45,8 @@ TEST(Filtered, a_filter_that_lies_a_pixel_up_and_right_moves_the_picture) {
 }
 
 TEST(Filtered, spread_and_reach_are_those_of_samples) {
-  const Scene scene = knot_scene(48);
-  const FilteredImage image = render_filtered(scene, final_shot(scene), {box, 0.5}, 128);
+  const Scene scene = testing::small_scene(48);
+  const FilteredImage image = render_filtered(scene, own_shot(scene), {box, 0.5}, 128);
   int edges = 0;
   for (std::size_t i = 0; i < image.spread.pixels.size(); ++i) {
     const double coverage = (image.halves[0].pixels[i][3] + image.halves[1].pixels[i][3]) / 2;

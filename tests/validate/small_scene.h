@@ -4,6 +4,7 @@
 #include "meshgen/knot_mesh.h"
 #include "scene/bricks.h"
 #include "scene/presets.h"
+#include "scene/shot.h"
 #include "scene/spec.h"
 
 namespace lumaknot::testing {

@@ -1,7 +1,6 @@
 // The self-test with renderers that are here: what is planted reaches their pictures.
 #include <gtest/gtest.h>
 
-#include "scene/shot.h"
 #include "tests/validate/small_scene.h"
 #include "validate/self_test/self_test.h"
 
