@@ -244,7 +244,7 @@ def check_denoiser():
         raise SystemExit("this Blender is built without OpenImageDenoise")
 
 
-def set_cycles(scene, samples, seed, denoise):
+def set_cycles(scene, samples=0, seed=0, denoise=False):
     """`samples` random rays per pixel through the filter that Blender sets; with 0 of
     them one ray through the centre of each pixel, and nothing else.
 
