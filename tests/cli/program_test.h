@@ -25,7 +25,8 @@ class Program : public ::testing::Test {
   ProcessResult run_here(const std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment) {
     fs::remove(folder_.path() / (fs::path(arguments.front()).filename().string() + ".log"));
-    return run({arguments, folder_.path(), environment}, std::chrono::seconds(60));
+    // Against a program that hangs: a busy machine takes ten times as long as an idle one.
+    return run({arguments, folder_.path(), environment}, std::chrono::seconds(180));
   }
   /// The sanitizer options of this test, which a program built with sanitizers needs too.
   static std::vector<std::string> sanitizer_options() {
