@@ -45,8 +45,7 @@ Vec3d applied(const ColorUse& use, const Vec3d& color, double coverage) {
     return (x + use.offset * coverage - 0.5 * coverage) * use.contrast + 0.5 * coverage;
   });
   c = rotated_hue(saturated(c, use.saturation), use.hue);
-  c = {dot(use.primaries[0], c), dot(use.primaries[1], c), dot(use.primaries[2], c)};
-  c = toned(use.tone, c);
+  c = toned(use.tone, use.primaries * c);
   if (!use.spline_values.empty()) {
     c = each(c, [&](double x) { return use.spline.at(x, use.spline_values); });
   }

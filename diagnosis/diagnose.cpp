@@ -131,6 +131,7 @@ Diagnosis diagnose(const Case& given) {
     if (const std::optional<NamedCause> noise = noise_cause(given, situation)) {
       result.verdict = Diagnosis::Verdict::kNamed;
       result.cause = {{*noise}, result.as_given};
+      if (alpha) result.cause.causes.push_back(*alpha);
       return result;
     }
     found = search_pairs(problem, all, found, given.progress);

@@ -193,17 +193,16 @@ class Fit {
 
   /// The Gauss-Newton step, in steps of the parameters.
   Values direction(const std::vector<Residuals>& columns, double scale) const {
-    const Residuals& here = here_;
     const std::size_t n = columns.size();
     Values a(n * n, 0.0), b(n, 0.0);
-    for (std::size_t i = 0; i < here.errors.size(); ++i) {
+    for (std::size_t i = 0; i < here_.errors.size(); ++i) {
       if (is_outline(columns, i)) continue;
-      const double ratio = here.errors[i] / scale;
+      const double ratio = here_.errors[i] / scale;
       const double weight = 1 / (1 + ratio * ratio);
-      for (std::size_t c = here.channels * i; c < here.channels * (i + 1); ++c) {
+      for (std::size_t c = here_.channels * i; c < here_.channels * (i + 1); ++c) {
         for (std::size_t j = 0; j < n; ++j) {
           const double weighted = weight * columns[j].values[c];
-          b[j] -= weighted * here.values[c];
+          b[j] -= weighted * here_.values[c];
           for (std::size_t k = 0; k <= j; ++k) a[j * n + k] += weighted * columns[k].values[c];
         }
       }

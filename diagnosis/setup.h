@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnosis/rows.h"
 #include "diagnosis/tone.h"
 #include "render/filter.h"
 #include "scene/shot.h"
@@ -70,7 +71,7 @@ struct ColorUse {
   double contrast = 1;    ///< about 0.5
   double saturation = 1;  ///< 0: the grey of its luma
   double hue = 0;         ///< radians, about the grey axis of YIQ
-  std::array<Vec3d, 3> primaries{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rows of a matrix
+  Rows primaries{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Tone tone = Tone::kNone;
   ToneSpline spline;
   std::vector<double> spline_values;  ///< of each channel; empty: none

@@ -4,18 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/rows.h"
+
 namespace lumaknot::diagnosis {
 namespace {
 
 template <class F>
 Vec3d each(const Vec3d& c, F f) {
   return {f(c.x), f(c.y), f(c.z)};
-}
-
-using Rows = std::array<Vec3d, 3>;
-
-Vec3d operator*(const Rows& m, const Vec3d& v) {
-  return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
 double limited(double x) { return std::clamp(x, 0.0, 1.0); }

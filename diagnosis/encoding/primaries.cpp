@@ -7,17 +7,13 @@ namespace lumaknot::diagnosis {
 
 namespace {
 
-using Rows = std::array<Vec3d, 3>;
-
-Vec3d times(const Rows& m, const Vec3d& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
 Rows transposed(const Rows& m) {
   return {{{m[0].x, m[1].x, m[2].x}, {m[0].y, m[1].y, m[2].y}, {m[0].z, m[1].z, m[2].z}}};
 }
 
 Rows product(const Rows& a, const Rows& b) {
   const Rows columns = transposed(b);
-  return transposed({{times(a, columns[0]), times(a, columns[1]), times(a, columns[2])}});
+  return transposed({{a * columns[0], a * columns[1], a * columns[2]}});
 }
 
 Rows inverse(const Rows& m) {
@@ -48,7 +44,7 @@ constexpr std::array<ColorSpace, 3> kOthers{
 Rows adapted(const Chromaticity& from, const Chromaticity& to) {
   constexpr Rows kCones{
       {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-  const Vec3d a = times(kCones, from.xyz()), b = times(kCones, to.xyz());
+  const Vec3d a = kCones * from.xyz(), b = kCones * to.xyz();
   const Rows scale{{{b.x / a.x, 0, 0}, {0, b.y / a.y, 0}, {0, 0, b.z / a.z}}};
   return product(inverse(kCones), product(scale, kCones));
 }
@@ -56,7 +52,7 @@ Rows adapted(const Chromaticity& from, const Chromaticity& to) {
 /// From the space's RGB to XYZ over D65.
 Rows to_xyz(const ColorSpace& space) {
   const Rows columns = transposed({{space.red.xyz(), space.green.xyz(), space.blue.xyz()}});
-  const Vec3d s = times(inverse(columns), space.white.xyz());
+  const Vec3d s = inverse(columns) * space.white.xyz();
   const Rows scale{{{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}}};
   return product(adapted(space.white, kD65), product(columns, scale));
 }
